@@ -1,0 +1,45 @@
+// "1.2 MPa" -> 1.2e6, with its dimension checked. Everything behind this layer is plain double in SI.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace percal {
+
+// Powers of mass, length and time; a dimensionless number has none.
+struct Dimension {
+  int mass = 0, length = 0, time = 0;
+  friend bool operator==(const Dimension&, const Dimension&) = default;
+};
+
+namespace dimension {
+inline constexpr Dimension none{};
+inline constexpr Dimension length{.length = 1};
+inline constexpr Dimension area{.length = 2};
+inline constexpr Dimension mass{.mass = 1};
+inline constexpr Dimension time{.time = 1};
+inline constexpr Dimension speed{.length = 1, .time = -1};
+inline constexpr Dimension density{.mass = 1, .length = -3};
+inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};
+inline constexpr Dimension impact_parameter{.mass = 1, .length = -1, .time = -1};  // density times speed times radius
+}  // namespace dimension
+
+struct Quantity {
+  double value;  // in SI
+  Dimension dimension;
+};
+
+// The SI value of a text with a unit: "1.2 MPa", "16800 kg/m3", "83 m/s", "26um", "0.7".
+// Units are factors joined by '*' or ' ' and '/', each with an integer power ("kg/m3", "kg/m^3", "kg m^-3").
+// Throws std::invalid_argument with a message that names the unknown unit and the known ones.
+Quantity parse_quantity(std::string_view text);
+
+// As above for a bare unit: "kPa" -> 1000 with the dimension of a pressure. "-", "1" and "" are dimensionless.
+Quantity parse_unit(std::string_view unit);
+
+// An example of a unit with this dimension, for messages: "Pa, kPa, MPa, GPa" for a pressure.
+std::string units_of(const Dimension& dimension);
+
+// 0.0413 with dimension::length -> "41.3 mm": digits significant digits and the unit prefix that reads best.
+std::string format_quantity(double si_value, const Dimension& dimension, int digits = 4);
+
+}  // namespace percal
