@@ -1,0 +1,87 @@
+// An impact as the user wrote it, in SI. problem/ turns it into the dimensionless problem that is solved.
+// What a scene may leave out is a variant with an empty alternative or an optional; left out means: not there, not zero.
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace percal {
+
+// How the number typed in as mu is meant. Inside percal mu is always the true small-strain shear modulus.
+//   true_shear:    W = (2 mu/alpha^2) (sum lambda^alpha - 3), mu_true = mu                           "true"
+//   mu_over_alpha: W = (mu/alpha) (sum lambda^alpha - 3), LS-DYNA's MU1, mu_true = mu alpha/2        "mu/alpha"
+enum class ModulusConvention { true_shear, mu_over_alpha };
+
+// Which strain the erosion limit is compared with, as a function of the largest principal stretch lambda:
+// engineering lambda - 1, true ln lambda, Green-Lagrange (lambda^2 - 1)/2.
+enum class StrainMeasure { engineering, true_strain, green_lagrange };
+
+enum class Bottom { free, fixed };
+enum class Arithmetic { single_precision, double_precision };
+
+// --- volumetric stiffness: what the scene says about it ---------------------------------------------------------
+struct ChooseBulk {};                            // K at least 50 mu and a Mach number below 0.3
+struct PoissonRatio { double nu; };
+struct BulkToShear { double ratio; };            // K / mu_true
+using VolumetricChoice = std::variant<ChooseBulk, PoissonRatio, BulkToShear>;
+
+// --- erosion ----------------------------------------------------------------------------------------------------
+struct NoErosion {};
+struct StrainErosion { double limit; StrainMeasure measure = StrainMeasure::engineering; };
+using Erosion = std::variant<NoErosion, StrainErosion>;
+
+struct SphereScene {
+  std::string name = "sphere";
+  double radius = 0;   // m
+  double density = 0;  // kg/m3
+  double speed = 0;    // m/s, straight down
+  std::optional<double> youngs_modulus;  // Pa; only decides whether a rigid particle is good enough
+};
+
+struct LayerScene {
+  std::string name = "target";
+  double density = 0;        // kg/m3
+  double mu_as_given = 0;    // Pa, meant as `convention` says
+  ModulusConvention convention = ModulusConvention::true_shear;
+  double alpha = 0;
+  VolumetricChoice volumetric = ChooseBulk{};
+  double depth = 0;          // m
+  double width = 0;          // m, radius of the fixed outer wall
+  Bottom bottom = Bottom::free;
+  Erosion erosion = NoErosion{};
+};
+
+// The mesh: square elements of side radius/elements_per_radius within fine_width radii of the axis, then
+// graded_columns columns growing geometrically to the wall.
+struct MeshScene {
+  int elements_per_radius = 10;
+  double fine_width = 1.0;            // in particle radii
+  std::optional<int> graded_columns;  // left out: half of the fine ones
+};
+
+// Numerical settings: the defaults are docs/theory/impact.md's setting S.
+struct SolverScene {
+  double contact_stiffness = 0.6;   // kappa: k = kappa m/dt_ref^2
+  double hourglass = 0.5;           // elastic hourglass stiffness in units of mu_true
+  double linear_viscosity = 0.06;
+  double quadratic_viscosity = 1.2;
+  double time_step_factor = 0.8;    // share of the stable step
+  Arithmetic arithmetic = Arithmetic::single_precision;
+  std::optional<double> end_time;   // s; left out: 1000 radii at impact speed
+};
+
+struct OutputScene {
+  bool history = false;  // the penetration history as CSV
+};
+
+struct Scene {
+  std::string source;  // file it was read from, for messages
+  SphereScene particle;
+  LayerScene target;
+  MeshScene mesh;
+  SolverScene solver;
+  OutputScene output;
+  int replicates = 3;  // runs at speeds times 1, 1.001, 0.999, 1.002, ...
+};
+
+}  // namespace percal

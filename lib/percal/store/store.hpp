@@ -1,0 +1,39 @@
+// Finished evaluations on disk (SQLite, WAL), keyed by the canonical text of a dimensionless problem. What is in the store
+// is never computed again; what was killed half-way is not in it.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace percal {
+
+struct StoredEvaluation {
+  std::string outcome;      // "stopped", "passed through", ...: failures are stored as failures
+  std::string payload;      // JSON text of the observation
+  double cpu_seconds = 0;   // what it cost
+};
+
+// Safe to use from several threads of one process and from several processes on one machine. Not for network file systems.
+class Store {
+ public:
+  // Opens or creates. Throws IoFailure (unwritable folder, not a store, a newer schema).
+  explicit Store(const std::string& path);
+  ~Store();
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+
+  std::optional<StoredEvaluation> find(const std::string& key) const;
+  // Durable when it returns. An existing row with this key stays as it is. Throws IoFailure (disk full).
+  void put(const std::string& key, const StoredEvaluation& evaluation);
+  long size() const;
+  const std::string& path() const;
+
+ private:
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+};
+
+// percal.store in the user's cache folder: $XDG_CACHE_HOME/percal, else $HOME/.cache/percal, else the current folder.
+std::string default_store_path();
+
+}  // namespace percal

@@ -1,0 +1,58 @@
+// CSV as people have it: comments (#), a header whose columns may carry units, CRLF, a byte-order mark, commas, semicolons
+// (with decimal commas) or tabs, quoted cells, trailing separators.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/base/error.hpp"
+#include "percal/units/quantity.hpp"
+
+namespace percal {
+
+struct CsvRow {
+  int line;                        // 1-based line in the file
+  std::vector<std::string> cells;  // one for each column, trimmed
+};
+
+struct CsvColumn {
+  std::string header;    // as written: "stress_kPa", "stress [kPa]"
+  std::string name;      // without the unit: "stress"
+  std::string unit;      // "kPa", empty where the header names none
+};
+
+// How numbers and columns are separated; found from the header and the first rows.
+struct CsvDialect {
+  char separator = ',';
+  bool decimal_comma = false;
+};
+
+class CsvTable {
+ public:
+  std::string file;
+  CsvDialect dialect;
+  std::vector<CsvColumn> columns;
+  std::vector<CsvRow> rows;
+
+  // Index of a column by its full header or its name without unit (case-insensitive). nullopt where there is none.
+  std::optional<int> find(const std::string& column) const;
+  // As find, but throws BadInput that lists the columns there are.
+  int column(const std::string& column) const;
+
+  // All cells of a column as finite SI numbers with the given dimension. The unit comes from the header; a column without a
+  // unit is refused unless the dimension is none or `default_unit` names one. Every bad line is named in one BadInput.
+  std::vector<double> numbers(int column, const Dimension&, const std::string& default_unit = "") const;
+  std::vector<double> numbers(const std::string& column, const Dimension&, const std::string& default_unit = "") const;
+  // As above with empty cells allowed.
+  std::vector<std::optional<double>> optional_numbers(const std::string& column, const Dimension&) const;
+  std::vector<std::string> texts(const std::string& column) const;
+
+  // Only the rows where COLUMN=VALUE for every condition (text compared exactly, or as numbers where both are).
+  CsvTable where(const std::vector<std::string>& conditions) const;
+};
+
+// Throws BadInput: missing file, no header, no rows, rows with too many or too few cells (each bad line named).
+CsvTable read_csv(const std::string& path);
+CsvTable parse_csv(const std::string& text, const std::string& name);
+
+}  // namespace percal

@@ -1,0 +1,18 @@
+// Files written whole or not at all.
+#pragma once
+#include <string>
+
+namespace percal {
+
+// Writes to a temporary name beside `path`, flushes to the disk, then renames. Throws IoFailure (and leaves neither a
+// half-written file nor the temporary one) when the folder is unwritable or the disk full. Creates missing folders.
+void write_file(const std::string& path, const std::string& content);
+
+// The whole file. Throws BadInput where it is not there or is a folder.
+std::string read_file(const std::string& path);
+
+// Makes sure that results can be written to `folder` before anything is computed: creates it and writes, syncs and removes a
+// probe. Throws IoFailure.
+void ensure_writable_folder(const std::string& folder);
+
+}  // namespace percal

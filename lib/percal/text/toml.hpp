@@ -1,0 +1,81 @@
+// Reading a TOML file key by key: every key read is checked for kind, unit and range, and a key that nobody read is an
+// error. Messages name file, line, key, what was found and what is accepted.
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/base/error.hpp"
+#include "percal/units/quantity.hpp"
+
+namespace percal {
+
+// Closed or open bounds of a number, checked on reading. `words` says them in the message: "a positive length".
+struct Range {
+  double low;
+  double high;
+  bool low_open = false;
+  bool high_open = false;
+  std::string words;
+};
+Range positive(const std::string& what = "number");      // (0, inf)
+Range not_negative(const std::string& what = "number");  // [0, inf)
+Range any_number();                                      // finite
+
+// One table of a TOML file. Every getter marks its key as known; finish() throws BadInput for the keys that nobody asked
+// for, with the nearest known key as a suggestion. Getters without a fallback throw BadInput where the key is missing.
+class TomlTable {
+ public:
+  struct Node;  // toml++ stays in the .cpp
+  explicit TomlTable(std::shared_ptr<const Node> node);
+
+  // A number with a unit, in SI. A bare number is refused unless the dimension is none.
+  double quantity(const std::string& key, const Dimension&, const Range&) const;
+  double quantity(const std::string& key, const Dimension&, const Range&, double fallback) const;
+  std::optional<double> optional_quantity(const std::string& key, const Dimension&, const Range&) const;
+  std::vector<double> quantities(const std::string& key, const Dimension&, const Range&) const;  // an array, not empty
+
+  double number(const std::string& key, const Range&) const;
+  double number(const std::string& key, const Range&, double fallback) const;
+  std::optional<double> optional_number(const std::string& key, const Range&) const;
+  std::vector<double> numbers(const std::string& key, const Range&) const;
+  int integer(const std::string& key, int low, int high) const;
+  int integer(const std::string& key, int low, int high, int fallback) const;
+  std::optional<int> optional_integer(const std::string& key, int low, int high) const;
+  bool flag(const std::string& key, bool fallback) const;
+  std::string text(const std::string& key) const;
+  std::string text(const std::string& key, const std::string& fallback) const;
+  std::optional<std::string> optional_text(const std::string& key) const;
+  std::vector<std::string> texts(const std::string& key) const;
+  // One word of a list; returns its index.
+  int word(const std::string& key, const std::vector<std::string>& accepted) const;
+  int word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const;
+
+  bool has(const std::string& key) const;
+  TomlTable table(const std::string& key) const;                            // must be there
+  std::optional<TomlTable> optional_table(const std::string& key) const;
+  std::vector<TomlTable> tables(const std::string& key) const;              // array of tables; empty where missing
+  std::vector<std::string> keys() const;                                    // in file order; marks nothing as known
+
+  // A path in the file, relative to the file's own folder; returned ready to open.
+  std::string path(const std::string& key) const;
+  std::optional<std::string> optional_path(const std::string& key) const;
+
+  Place place(const std::string& key) const;  // for messages of one's own
+  [[noreturn]] void refuse(const std::string& key, const std::string& found, const std::string& accepted) const;
+
+  // Throws for unknown keys of this table and of every table handed out from it.
+  void finish() const;
+
+ private:
+  std::shared_ptr<const Node> node_;
+};
+
+// The file's root table. A missing file, a folder, malformed TOML: BadInput with line and column.
+TomlTable read_toml(const std::string& path);
+TomlTable parse_toml(const std::string& text, const std::string& name);
+
+}  // namespace percal

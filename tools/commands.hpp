@@ -1,0 +1,61 @@
+// What the command line says, one struct a command. percal.cpp fills them (it alone sees CLI11); a file for each command runs it.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/base/error.hpp"
+
+namespace percal::tools {
+
+struct Common {
+  std::string out;      // folder for results; empty: NAME.out beside the job
+  std::string store;    // evaluation store; empty: default_store_path()
+  int threads = 0;      // evaluations side by side; 0: as many as there are cores
+  bool json = false;    // print the result on standard output
+  bool check = false;   // read and validate, run nothing
+  bool quiet = false;
+};
+
+struct FitArguments {
+  std::vector<std::string> files;
+  std::string mode;                // empty: from the `mode` column
+  std::string residual = "relative";
+  std::string x, y;                // columns; empty: found by their names
+  std::vector<std::string> where;  // COLUMN=VALUE
+};
+
+struct ScaleArguments {
+  std::string job;
+  std::string write_scene;  // write the similar scene here; empty: as the job says
+};
+
+struct ImpactArguments {
+  std::string scene;
+  std::optional<int> elements_per_radius;
+  std::optional<int> replicates;
+  std::optional<std::string> arithmetic;
+  std::string history;  // CSV file; empty: as the scene says
+};
+
+struct IdentifyArguments {
+  std::string job;
+};
+
+struct CardArguments {
+  std::string result;
+  std::string solver;  // lsdyna, abaqus, calculix
+  std::string units = "si";
+  std::string file;    // where to write; empty: standard output
+};
+
+Exit run_fit(const FitArguments&, const Common&);
+Exit run_scale(const ScaleArguments&, const Common&);
+Exit run_impact(const ImpactArguments&, const Common&);
+Exit run_identify(const IdentifyArguments&, const Common&);
+Exit run_card_write(const CardArguments&, const Common&);
+
+// NAME.out beside the job NAME.toml, or what --out says.
+std::string out_folder(const std::string& job, const Common&);
+
+}  // namespace percal::tools

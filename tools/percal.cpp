@@ -1,0 +1,129 @@
+// The program: reads the command line, runs one command, turns the failures into exit codes. The commands are in files of their own.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+
+#include "commands.hpp"
+#include "percal/base/version.hpp"
+
+namespace percal::tools {
+
+std::string out_folder(const std::string& job, const Common& common) {
+  if (!common.out.empty()) return common.out;
+  std::filesystem::path path(job);
+  return path.replace_extension(".out").string();
+}
+
+namespace {
+
+void add_common(CLI::App& command, Common& common, bool runs_impacts) {
+  command.add_option("--out", common.out, "folder for results (default: NAME.out beside the job)");
+  if (runs_impacts) {
+    command.add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
+    command.add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")->check(CLI::Range(0, 4096));
+  }
+  command.add_flag("--json", common.json, "print the result as JSON on standard output");
+  command.add_flag("--check", common.check, "read and validate, run nothing");
+  command.add_flag("--quiet", common.quiet, "print nothing but errors");
+}
+
+CLI::App* add_fit(CLI::App& app, FitArguments& fit, Common& common) {
+  auto* command = app.add_subcommand("fit", "stress-stretch CSV files -> Ogden mu and alpha, every minimum, standard errors");
+  command->add_option("files", fit.files, "CSV files")->required();
+  command->add_option("--mode", fit.mode, "deformation where the file has no mode column: uniaxial, equibiaxial, planar, shear");
+  command->add_option("--residual", fit.residual, "relative (Guha 2009, Eq. 3-4) or absolute")->check(CLI::IsMember({"relative", "absolute"}));
+  command->add_option("--x", fit.x, "column of stretch, strain or shear");
+  command->add_option("--y", fit.y, "column of stress");
+  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)");
+  command->footer("Example: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute");
+  add_common(*command, common, false);
+  return command;
+}
+
+CLI::App* add_scale(CLI::App& app, ScaleArguments& scale, Common& common) {
+  auto* command = app.add_subcommand("scale", "pi groups of two systems, what must hold for similarity, mapped values");
+  command->add_option("job", scale.job, "TOML job")->required();
+  command->add_option("--write-scene", scale.write_scene, "write the similar scene to this file");
+  command->footer("Example: percal scale data/guha2009/similar.toml");
+  add_common(*command, common, false);
+  return command;
+}
+
+CLI::App* add_impact(CLI::App& app, ImpactArguments& impact, Common& common) {
+  auto* command = app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
+  command->add_option("scene", impact.scene, "TOML scene")->required();
+  command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh (default: the scene's)")->check(CLI::Range(1, 1000));
+  command->add_option("--replicates", impact.replicates, "runs at slightly different speeds (default: the scene's, 3)")->check(CLI::Range(1, 1000));
+  command->add_option("--arithmetic", impact.arithmetic, "single or double")->check(CLI::IsMember({"single", "double"}));
+  command->add_option("--history", impact.history, "write the penetration history to this CSV file");
+  command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
+  add_common(*command, common, true);
+  return command;
+}
+
+CLI::App* add_identify(CLI::App& app, IdentifyArguments& identify, Common& common) {
+  auto* command = app.add_subcommand("identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
+  command->add_option("job", identify.job, "TOML job")->required();
+  command->footer("Example: percal identify data/guha2009/skin.toml");
+  add_common(*command, common, true);
+  return command;
+}
+
+CLI::App* add_card(CLI::App& app, CardArguments& card, Common& common) {
+  auto* command = app.add_subcommand("card", "material cards for finite-element programs");
+  command->require_subcommand(1);
+  auto* write = command->add_subcommand("write", "write the card of a result");
+  write->add_option("result", card.result, "result.json of fit or identify")->required();
+  write->add_option("--solver", card.solver, "lsdyna, abaqus or calculix")->required()->check(CLI::IsMember({"lsdyna", "abaqus", "calculix"}));
+  write->add_option("--units", card.units, "unit system of the card: si, mm-t-s-MPa, mm-ms-kg-GPa, um-us-ng-MPa");
+  write->add_option("--file", card.file, "file to write (default: standard output)");
+  write->footer("Example: percal card write skin.out/result.json --solver lsdyna --units mm-ms-kg-GPa");
+  write->add_flag("--quiet", common.quiet, "print nothing but errors");
+  return command;
+}
+
+Exit run(int argc, char** argv) {
+  CLI::App app("percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.", "percal");
+  app.set_version_flag("--version", "percal " + version());
+  app.require_subcommand(1);
+  Common common;
+  FitArguments fit;
+  ScaleArguments scale;
+  ImpactArguments impact;
+  IdentifyArguments identify;
+  CardArguments card;
+  auto* fit_command = add_fit(app, fit, common);
+  auto* scale_command = add_scale(app, scale, common);
+  auto* impact_command = add_impact(app, impact, common);
+  auto* identify_command = add_identify(app, identify, common);
+  add_card(app, card, common);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? Exit::done : Exit::bad_input;
+  }
+  if (*fit_command) return run_fit(fit, common);
+  if (*scale_command) return run_scale(scale, common);
+  if (*impact_command) return run_impact(impact, common);
+  if (*identify_command) return run_identify(identify, common);
+  return run_card_write(card, common);
+}
+
+}  // namespace
+}  // namespace percal::tools
+
+int main(int argc, char** argv) {
+  using percal::Exit;
+  try {
+    return static_cast<int>(percal::tools::run(argc, argv));
+  } catch (const percal::BadInput& error) {
+    std::fprintf(stderr, "percal: %s\n", error.what());
+    return static_cast<int>(Exit::bad_input);
+  } catch (const percal::IoFailure& error) {
+    std::fprintf(stderr, "percal: %s\n", error.what());
+    return static_cast<int>(Exit::io_failure);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "percal: internal error: %s\n", error.what());
+    return 70;
+  }
+}
