@@ -5,16 +5,9 @@
 #include <string>
 #include <variant>
 
+#include "percal/material/conventions.hpp"
+
 namespace percal {
-
-// How the number typed in as mu is meant. Inside percal mu is always the true small-strain shear modulus.
-//   true_shear:    W = (2 mu/alpha^2) (sum lambda^alpha - 3), mu_true = mu                           "true"
-//   mu_over_alpha: W = (mu/alpha) (sum lambda^alpha - 3), LS-DYNA's MU1, mu_true = mu alpha/2        "mu/alpha"
-enum class ModulusConvention { true_shear, mu_over_alpha };
-
-// Which strain the erosion limit is compared with, as a function of the largest principal stretch lambda:
-// engineering lambda - 1, true ln lambda, Green-Lagrange (lambda^2 - 1)/2.
-enum class StrainMeasure { engineering, true_strain, green_lagrange };
 
 enum class Bottom { free, fixed };
 enum class Arithmetic { single_precision, double_precision };

@@ -1,0 +1,1 @@
+// The element kernel: see impact/.

@@ -1,0 +1,60 @@
+"""Fails when a file of lib/percal includes a layer that it may not see. The order is the path of data."""
+import pathlib
+import re
+import sys
+
+MAY_SEE = {
+    "base": [],
+    "math": ["base"],
+    "units": ["base"],
+    "text": ["base", "units"],
+    "material": ["base", "math", "units"],
+    "scaling": ["base", "math", "units", "text", "material"],
+    "mesh": ["base", "math"],
+    "scene": ["base", "units", "text", "material"],
+    "problem": ["base", "units", "text", "material", "scaling", "mesh", "scene"],
+    "impact": ["base", "math", "material", "mesh", "problem"],
+    "observe": ["base", "text", "problem", "impact"],
+    "store": ["base"],
+    "fit": ["base", "math", "units", "text", "material"],
+    "invert": ["base", "math"],
+    "card": ["base", "units", "text", "material"],
+    "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store"],
+    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign"],
+}
+
+
+def cycle(table):
+    """The layers that cannot be ordered; empty when the table is sound."""
+    todo = {layer: set(sees) for layer, sees in table.items()}
+    while True:
+        free = [layer for layer, sees in todo.items() if not sees & todo.keys()]
+        if not free:
+            return sorted(todo)
+        for layer in free:
+            del todo[layer]
+
+
+def violations(root):
+    for file in sorted(pathlib.Path(root).rglob("*.[ch]pp")):
+        layer = file.relative_to(root).parts[0]
+        if layer not in MAY_SEE:
+            yield f"{file}: the table has no layer {layer}"
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            found = re.match(r'\s*#\s*include\s+["<]percal/([a-z_]+)/', line)
+            if found and found[1] != layer and found[1] not in MAY_SEE[layer]:
+                yield f"{file}:{number}: {layer} may not include {found[1]}"
+
+
+def main(root):
+    faults = list(violations(root))
+    unordered = cycle(MAY_SEE)
+    if unordered:
+        faults.append("the table has a cycle through " + ", ".join(unordered))
+    print("\n".join(faults) or "layers hold")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
