@@ -1,0 +1,24 @@
+# `cmake --install`: program, library, headers, data, and a CMake package for find_package(percal CONFIG).
+option(PERCAL_INSTALL "Install percal with this project" ${PROJECT_IS_TOP_LEVEL})
+if(NOT PERCAL_INSTALL)
+  return()
+endif()
+include(CMakePackageConfigHelpers)
+
+set(PERCAL_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/percal)
+
+# A static library links what it uses in the program downstream, so the private dependencies are exported with it.
+set_target_properties(percal_dependencies PROPERTIES EXPORT_NAME dependencies)
+install(TARGETS percal percal_dependencies EXPORT percalTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT percalTargets NAMESPACE percal:: DESTINATION ${PERCAL_PACKAGE_DIR})
+install(TARGETS percal_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY lib/percal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY data DESTINATION ${CMAKE_INSTALL_DATADIR}/percal
+        PATTERN "*.out" EXCLUDE PATTERN "*.store*" EXCLUDE)
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/percalConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/percalConfig.cmake
+                              INSTALL_DESTINATION ${PERCAL_PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_DATADIR)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/percalConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/percalConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/percalConfigVersion.cmake
+        DESTINATION ${PERCAL_PACKAGE_DIR})

@@ -16,9 +16,9 @@ struct CsvRow {
 };
 
 struct CsvColumn {
-  std::string header;    // as written: "stress_kPa", "stress [kPa]"
-  std::string name;      // without the unit: "stress"
-  std::string unit;      // "kPa", empty where the header names none
+  std::string header;  // as written: "stress_kPa", "stress [kPa]"
+  std::string name;    // without the unit: "stress"
+  std::string unit;    // "kPa", empty where the header names none
 };
 
 // How numbers and columns are separated; found from the header and the first rows.
@@ -31,23 +31,27 @@ class CsvTable {
  public:
   std::string file;
   CsvDialect dialect;
+  int header_line = 0;  // 1-based
   std::vector<CsvColumn> columns;
   std::vector<CsvRow> rows;
 
   // Index of a column by its full header or its name without unit (case-insensitive). nullopt where there is none.
+  // Throws BadInput where the name alone means several columns (stress_kPa beside stress_MPa).
   std::optional<int> find(const std::string& column) const;
   // As find, but throws BadInput that lists the columns there are.
   int column(const std::string& column) const;
 
   // All cells of a column as finite SI numbers with the given dimension. The unit comes from the header; a column without a
-  // unit is refused unless the dimension is none or `default_unit` names one. Every bad line is named in one BadInput.
+  // unit is refused unless the dimension is none or `default_unit` names one. Percentages and degrees are dimensionless and
+  // stay as they stand. Every bad line is named in one BadInput.
   std::vector<double> numbers(int column, const Dimension&, const std::string& default_unit = "") const;
   std::vector<double> numbers(const std::string& column, const Dimension&, const std::string& default_unit = "") const;
   // As above with empty cells allowed.
   std::vector<std::optional<double>> optional_numbers(const std::string& column, const Dimension&) const;
   std::vector<std::string> texts(const std::string& column) const;
 
-  // Only the rows where COLUMN=VALUE for every condition (text compared exactly, or as numbers where both are).
+  // Only the rows where COLUMN=VALUE for every condition (text compared exactly, or as numbers where both are; the first '='
+  // divides). Throws BadInput that lists the values there are when a condition leaves no row.
   CsvTable where(const std::vector<std::string>& conditions) const;
 };
 

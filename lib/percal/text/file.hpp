@@ -6,9 +6,10 @@ namespace percal {
 
 // Writes to a temporary name beside `path`, flushes to the disk, then renames. Throws IoFailure (and leaves neither a
 // half-written file nor the temporary one) when the folder is unwritable or the disk full. Creates missing folders.
+// A link is followed, the permissions of a file that was there are kept, and a device or pipe is written to directly.
 void write_file(const std::string& path, const std::string& content);
 
-// The whole file. Throws BadInput where it is not there or is a folder.
+// The whole file. Throws BadInput where it is not there, is a folder or larger than 1 GiB, IoFailure where it cannot be read.
 std::string read_file(const std::string& path);
 
 // Makes sure that results can be written to `folder` before anything is computed: creates it and writes, syncs and removes a

@@ -1,0 +1,126 @@
+#include "percal/fit/curve_columns.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <stdexcept>
+#include <utility>
+
+#include "percal/material/conventions.hpp"
+
+namespace percal {
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool contains_any(const std::string& text, std::initializer_list<const char*> parts) {
+  return std::any_of(parts.begin(), parts.end(), [&](const char* part) { return text.find(part) != std::string::npos; });
+}
+
+// Scatter of a quantity, not the quantity: "sem_kPa", "stress_sd_kPa".
+bool is_scatter(const std::string& name) {
+  const std::string framed = "_" + name + "_";
+  return contains_any(framed, {"_sem_", "_sd_", "_std_", "_se_", "_err_", "_error_", "_tol_", "_uncertainty_"});
+}
+
+bool may_be_y(const std::string& name) { return contains_any(name, {"stress", "sigma", "cauchy"}) && !is_scatter(name); }
+
+bool may_be_x(const std::string& name) {
+  return contains_any(name, {"stretch", "strain", "gamma", "lambda", "shear"}) && !may_be_y(name) && !is_scatter(name);
+}
+
+std::string headers(const CsvTable& table, bool (*wanted)(const std::string&) = nullptr) {
+  std::string text;
+  for (const auto& column : table.columns)
+    if (!column.header.empty() && (!wanted || wanted(lower(column.name))))
+      text += (text.empty() ? "" : ", ") + column.header;
+  return text;
+}
+
+// The one column that `wanted` holds for.
+int single(const CsvTable& table, bool (*wanted)(const std::string&), const char* option, const char* meaning) {
+  std::vector<int> found;
+  for (int i = 0; i < static_cast<int>(table.columns.size()); ++i)
+    if (wanted(lower(table.columns[i].name))) found.push_back(i);
+  const Place place{table.file, table.header_line, ""};
+  if (found.size() > 1)
+    throw BadInput(place, fmt::format("several columns of {}: {}", meaning, headers(table, wanted)),
+                   fmt::format("one of them, chosen with {}", option));
+  if (!found.empty()) return found[0];
+  const bool depths = contains_any(lower(headers(table)), {"depth", "penetration"});
+  throw BadInput(place,
+                 fmt::format("no stress-stretch curve{}: no column of {} among {}",
+                             depths ? " but depths of shots, which are no input of a curve fit" : "", meaning, headers(table)),
+                 fmt::format("a column of {}, or the column's name with {}", meaning, option));
+}
+
+Abscissa abscissa_of(const CsvTable& table, int x) {
+  const std::string name = lower(table.columns[x].name);
+  const bool stretch = contains_any(name, {"stretch", "lambda"});
+  const bool gamma = contains_any(name, {"gamma", "shear"});
+  if (stretch && gamma) return Abscissa::stretch_or_gamma;
+  if (gamma) return Abscissa::gamma;
+  if (stretch) return Abscissa::stretch;
+  if (contains_any(name, {"strain"})) {
+    if (contains_any(name, {"green", "lagrange"})) return Abscissa::green_lagrange_strain;
+    return contains_any(name, {"true", "log", "hencky"}) ? Abscissa::true_strain : Abscissa::engineering_strain;
+  }
+  throw BadInput({table.file, table.header_line, table.columns[x].header}, "a column whose name does not say what it counts",
+                 "stretch, strain (engineering), true_strain, green_strain or gamma in the header");
+}
+
+}  // namespace
+
+FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
+  FoundColumns found{};
+  constexpr const char* x_meaning = "stretch, strain or shear";
+  constexpr const char* y_meaning = "stress (a name with stress, sigma or cauchy)";
+  found.y = wanted.y.empty() ? single(table, may_be_y, "--y", y_meaning) : table.column(wanted.y);
+  found.x = wanted.x.empty() ? single(table, may_be_x, "--x", x_meaning) : table.column(wanted.x);
+  found.abscissa = abscissa_of(table, found.x);
+  found.cauchy = contains_any(lower(table.columns[found.y].name), {"cauchy", "true"});
+  for (const char* name : {"mode", "deformation"})
+    if (!found.mode) found.mode = table.find(name);
+  return found;
+}
+
+int partner_column(const CsvTable& table, int x) {
+  const std::string& name = table.columns[x].name;
+  if (!name.empty())
+    for (const auto& [from, to] : {std::pair{'x', 'y'}, {'y', 'x'}, {'1', '2'}, {'2', '1'}}) {
+      if (name.back() != from) continue;
+      if (const auto partner = table.find(name.substr(0, name.size() - 1) + to)) return *partner;
+    }
+  throw BadInput({table.file, table.header_line, table.columns[x].header}, "no second stretch for general_biaxial",
+                 "two columns such as stretch_x and stretch_y");
+}
+
+double amount_of(double value, Abscissa abscissa, Deformation deformation) {
+  if (deformation == Deformation::simple_shear) {
+    if (abscissa == Abscissa::gamma || abscissa == Abscissa::stretch_or_gamma || abscissa == Abscissa::engineering_strain)
+      return value;
+    throw std::invalid_argument("no shear gamma for simple shear; accepted: a column named gamma, shear or strain");
+  }
+  if (abscissa == Abscissa::gamma)
+    throw std::invalid_argument(fmt::format("gamma for {}; accepted: a column of stretch or strain", word(deformation)));
+  double stretch = value;
+  if (abscissa == Abscissa::engineering_strain) stretch = stretch_at(value, StrainMeasure::engineering);
+  if (abscissa == Abscissa::true_strain) stretch = stretch_at(value, StrainMeasure::true_strain);
+  if (abscissa == Abscissa::green_lagrange_strain) {
+    if (value <= -0.5) throw std::invalid_argument(fmt::format("Green-Lagrange strain {}; accepted: above -0.5", value));
+    stretch = stretch_at(value, StrainMeasure::green_lagrange);
+  }
+  if (!(stretch > 0 && stretch < 1e6))
+    throw std::invalid_argument(
+        abscissa == Abscissa::stretch || abscissa == Abscissa::stretch_or_gamma
+            ? fmt::format("stretch {}; accepted: a stretch above 0 (1 = undeformed; strains belong in a column named strain)", value)
+            : fmt::format("strain {}; accepted: an engineering strain above -1", value));
+  return stretch;
+}
+
+}  // namespace percal

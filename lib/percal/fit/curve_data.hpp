@@ -1,0 +1,29 @@
+// Points of stress-stretch curves, in SI, whatever files they came from.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/material/homogeneous.hpp"
+
+namespace percal {
+
+struct StressPoint {
+  Strained strained;
+  double nominal_stress;  // Pa; the shear stress in simple shear
+};
+
+// Where points came from: which columns of which file.
+struct CurveSource {
+  std::string file;
+  std::string x, y;     // headers; x of general biaxial data are the two stretches
+  bool cauchy = false;       // y is a Cauchy stress; the points are nominal already
+  bool mode_column = false;  // the file says the deformation of every row itself
+  int points = 0;
+};
+
+struct CurveData {
+  std::vector<StressPoint> points;
+  std::vector<CurveSource> sources;
+};
+
+}  // namespace percal

@@ -1,0 +1,130 @@
+#include "percal/fit/read_curves.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "percal/fit/curve_columns.hpp"
+#include "percal/text/csv_faults.hpp"
+#include "percal/text/csv_header.hpp"
+#include "percal/units/words.hpp"
+
+namespace percal {
+namespace {
+
+Deformation mode_given(const std::string& mode) {
+  if (const auto deformation = deformation_of(mode)) return *deformation;
+  throw BadInput({"", 0, "--mode"}, in_quotes(mode), deformation_words());
+}
+
+// The deformation of every row.
+std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found, const std::string& mode) {
+  if (!found.mode) {
+    if (mode.empty())
+      throw BadInput({table.file, table.header_line, ""}, "no column 'mode'", "--mode with one of " + deformation_words());
+    return std::vector<Deformation>(table.rows.size(), mode_given(mode));
+  }
+  LineFaults faults(table.file);
+  std::vector<Deformation> all;
+  for (const auto& row : table.rows) {
+    const auto deformation = deformation_of(row.cells[*found.mode]);
+    if (!deformation)
+      faults.add(row.line, fmt::format("{}: found {}; accepted: {}", table.columns[*found.mode].header,
+                                       in_quotes(row.cells[*found.mode]), deformation_words()));
+    all.push_back(deformation.value_or(Deformation::uniaxial));
+  }
+  faults.throw_if_any();
+  return all;
+}
+
+// A dimensionless column; percent is divided by 100 here, where it means a strain.
+std::vector<double> abscissae(const CsvTable& table, int column) {
+  auto values = table.numbers(column, dimension::none);
+  if (is_percent(table.columns[column].unit))
+    for (double& value : values) value /= 100;
+  return values;
+}
+
+// Runs the readings and joins the messages of those that fail, so that one message names every bad line of every column.
+void together(const std::vector<std::function<void()>>& readings) {
+  std::string faults;
+  for (const auto& read : readings) {
+    try {
+      read();
+    } catch (const BadInput& error) {
+      faults += (faults.empty() ? "" : "\n") + std::string(error.what());
+    }
+  }
+  if (!faults.empty()) throw BadInput(faults);
+}
+
+// A --mode that no file needs and that the mode columns contradict would be ignored in silence.
+void refuse_idle_mode(const CurveData& data, const std::string& mode) {
+  const bool needed = std::any_of(data.sources.begin(), data.sources.end(), [](const auto& source) { return !source.mode_column; });
+  if (mode.empty() || needed) return;
+  const Deformation given = mode_given(mode);
+  for (const auto& point : data.points)
+    if (point.strained.deformation != given)
+      throw BadInput({data.sources[0].file, 0, "--mode"}, mode + ", but the file's mode column says " + word(point.strained.deformation),
+                     "--where mode=... to choose rows, or no --mode");
+}
+
+bool general_biaxial(const std::string& mode) { return deformation_of(mode) == Deformation::biaxial; }
+
+}  // namespace
+
+CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
+  const CsvTable table = whole.where(wanted.where);
+  const FoundColumns found = find_columns(table, wanted);
+  const CsvColumn &x_column = table.columns[found.x], &y_column = table.columns[found.y];
+  std::vector<Deformation> modes;
+  std::vector<double> x, y, across;
+  together({[&] { modes = deformations(table, found, wanted.mode); }, [&] { x = abscissae(table, found.x); },
+            [&] { y = table.numbers(found.y, dimension::pressure); },
+            [&] {
+              if (!found.mode && general_biaxial(wanted.mode)) across = abscissae(table, partner_column(table, found.x));
+            }});
+
+  CurveData data;
+  LineFaults faults(table.file);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    StressPoint point{{modes[i], 1, 1}, 0};
+    try {
+      point.strained.amount = amount_of(x[i], found.abscissa, modes[i]);
+      if (modes[i] == Deformation::biaxial && across.empty())
+        throw std::invalid_argument("general_biaxial in a mode column; accepted: --mode general_biaxial for a whole file");
+      if (!across.empty()) point.strained.across = amount_of(across[i], found.abscissa, modes[i]);
+    } catch (const std::invalid_argument& error) {
+      faults.add(table.rows[i].line, fmt::format("{}: found {}", x_column.header, error.what()));
+      continue;
+    }
+    point.nominal_stress = found.cauchy ? nominal_of_cauchy(y[i], point.strained) : y[i];
+    data.points.push_back(point);
+  }
+  faults.throw_if_any();
+  data.sources.push_back({.file = table.file, .x = x_column.header, .y = y_column.header, .cauchy = found.cauchy,
+                          .mode_column = found.mode.has_value(), .points = static_cast<int>(data.points.size())});
+  return data;
+}
+
+CurveData read_curves(const std::vector<std::string>& files, const CurveColumns& wanted) {
+  if (!wanted.mode.empty()) mode_given(wanted.mode);
+  CurveData all;
+  std::string faults;
+  for (const auto& file : files) {
+    try {
+      const CurveData one = curves_of(read_csv(file), wanted);
+      all.points.insert(all.points.end(), one.points.begin(), one.points.end());
+      all.sources.insert(all.sources.end(), one.sources.begin(), one.sources.end());
+    } catch (const BadInput& error) {
+      faults += (faults.empty() ? "" : "\n") + std::string(error.what());
+    }
+  }
+  if (!faults.empty()) throw BadInput(faults);
+  refuse_idle_mode(all, wanted.mode);
+  return all;
+}
+
+}  // namespace percal

@@ -1,0 +1,164 @@
+// Lanes: the compiler's vector types used as if they were one number, so that a formula is written once for scalars and
+// vectors. This header is compiled once for each instruction level and once without (PERCAL_LEVEL, see kernel_level.cpp);
+// the level's namespace keeps the versions apart, and nothing of the standard library is instantiated here.
+#pragma once
+
+#ifndef PERCAL_LEVEL
+#define PERCAL_LEVEL scalar
+#endif
+
+#if defined(__AVX512F__) || defined(__AVX2__) || defined(__SSE4_2__)
+#include <immintrin.h>
+#endif
+
+namespace percal::PERCAL_LEVEL {
+
+// Vectors of this level: 64, 32 or 16 bytes.
+#if defined(__AVX512F__)
+inline constexpr int vector_bytes = 64;
+#elif defined(__AVX2__)
+inline constexpr int vector_bytes = 32;
+#else
+inline constexpr int vector_bytes = 16;
+#endif
+
+// For V = a vector or a scalar: its scalar type, the signed integers of the same size, and how many lanes it has.
+template <class V> struct Lane;
+template <class Scalar, class Integer, int bytes>
+struct VectorLane {
+  using Real = Scalar;
+  typedef Scalar Vector __attribute__((vector_size(bytes)));
+  typedef Integer Bits __attribute__((vector_size(bytes)));
+  static constexpr int count = bytes / static_cast<int>(sizeof(Scalar));
+};
+using FloatLanes = VectorLane<float, int, vector_bytes>;
+using DoubleLanes = VectorLane<double, long, vector_bytes>;
+template <> struct Lane<FloatLanes::Vector> : FloatLanes {};
+template <> struct Lane<DoubleLanes::Vector> : DoubleLanes {};
+template <> struct Lane<float> { using Real = float; using Bits = int; static constexpr int count = 1; };
+template <> struct Lane<double> { using Real = double; using Bits = long; static constexpr int count = 1; };
+
+template <class V> using RealOf = typename Lane<V>::Real;
+template <class V> using BitsOf = typename Lane<V>::Bits;
+
+#define PERCAL_INLINE inline __attribute__((always_inline))
+
+template <class V> PERCAL_INLINE V load(const RealOf<V>* from) { V v; __builtin_memcpy(&v, from, sizeof v); return v; }
+template <class V> PERCAL_INLINE void store(RealOf<V>* to, V v) { __builtin_memcpy(to, &v, sizeof v); }
+template <class To, class From> PERCAL_INLINE To same_bits(From from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to; __builtin_memcpy(&to, &from, sizeof to); return to;
+}
+template <class V> PERCAL_INLINE V broadcast(RealOf<V> x) { return V{} + x; }
+
+// take_first ? a : b, lane by lane; take_first is what a comparison of V returns.
+template <class M, class V> PERCAL_INLINE V select(M take_first, V a, V b) { return take_first ? a : b; }
+template <class V> PERCAL_INLINE V larger(V a, V b) { return a > b ? a : b; }
+template <class V> PERCAL_INLINE V smaller(V a, V b) { return a < b ? a : b; }
+
+PERCAL_INLINE float square_root(float x) { return __builtin_sqrtf(x); }
+PERCAL_INLINE double square_root(double x) { return __builtin_sqrt(x); }
+#if defined(__AVX512F__)
+PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm512_sqrt_ps((__m512)x); }
+PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm512_sqrt_pd((__m512d)x); }
+PERCAL_INLINE bool any(FloatLanes::Bits m) { return _mm512_test_epi32_mask((__m512i)m, (__m512i)m) != 0; }
+PERCAL_INLINE bool any(DoubleLanes::Bits m) { return _mm512_test_epi64_mask((__m512i)m, (__m512i)m) != 0; }
+#elif defined(__AVX2__)
+PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm256_sqrt_ps((__m256)x); }
+PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm256_sqrt_pd((__m256d)x); }
+PERCAL_INLINE bool any(FloatLanes::Bits m) { return _mm256_movemask_ps((__m256)m) != 0; }
+PERCAL_INLINE bool any(DoubleLanes::Bits m) { return _mm256_movemask_pd((__m256d)m) != 0; }
+#elif defined(__SSE4_2__)
+PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm_sqrt_ps((__m128)x); }
+PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm_sqrt_pd((__m128d)x); }
+PERCAL_INLINE bool any(FloatLanes::Bits m) { return _mm_movemask_ps((__m128)m) != 0; }
+PERCAL_INLINE bool any(DoubleLanes::Bits m) { return _mm_movemask_pd((__m128d)m) != 0; }
+#else
+template <class V> PERCAL_INLINE V square_root(V x) {
+  for (int l = 0; l < Lane<V>::count; ++l) x[l] = square_root(x[l]);
+  return x;
+}
+template <class M> PERCAL_INLINE bool any(M m) {
+  for (unsigned l = 0; l < sizeof(M) / sizeof(m[0]); ++l) if (m[l]) return true;
+  return false;
+}
+#endif
+
+// The sum and the extremes over the lanes, in lane order.
+template <class V> PERCAL_INLINE double lane_sum(V v) {
+  double sum = 0;
+  for (int l = 0; l < Lane<V>::count; ++l) sum += v[l];
+  return sum;
+}
+template <class V> PERCAL_INLINE RealOf<V> lane_largest(V v) {
+  RealOf<V> x = v[0];
+  for (int l = 1; l < Lane<V>::count; ++l) x = v[l] > x ? v[l] : x;
+  return x;
+}
+template <class V> PERCAL_INLINE RealOf<V> lane_smallest(V v) {
+  RealOf<V> x = v[0];
+  for (int l = 1; l < Lane<V>::count; ++l) x = v[l] < x ? v[l] : x;
+  return x;
+}
+
+// `now` moved up by one lane, the last lane of `before` moving in: what element j-1 gives to node j.
+template <class V> PERCAL_INLINE V shifted(V now, V before) {
+  BitsOf<V> from{};
+#pragma GCC unroll 16
+  for (int l = 0; l < Lane<V>::count; ++l) from[l] = Lane<V>::count - 1 + l;
+  return __builtin_shuffle(before, now, from);
+}
+
+// --- log2 and exp2 --------------------------------------------------------------------------------------------------
+// Own versions: libm has no lanes, and these give every lane the same bits whatever the width. Ranges: normal numbers in,
+// |x| clamped to 126 (float) or 1022 (double) for exp2. Errors are held in tests/impact.
+template <class Real> struct FloatFormat;
+template <> struct FloatFormat<float> {
+  static constexpr int mantissa_bits = 23, bias = 127, largest_power = 126, log_terms = 5, exp_terms = 7;
+  static constexpr int root_half = 0x3f3504f3;      // the bits of sqrt(1/2)
+  static constexpr float rounder = 12582912.0f;     // 1.5 2^23: adding it rounds to an integer
+};
+template <> struct FloatFormat<double> {
+  static constexpr int mantissa_bits = 52, bias = 1023, largest_power = 1022, log_terms = 11, exp_terms = 13;
+  static constexpr long root_half = 0x3fe6a09e667f3bcdL;
+  static constexpr double rounder = 6755399441055744.0;  // 1.5 2^52
+};
+
+// (2/ln 2)/(2k + 1): the series of log2((1 + s)/(1 - s)) in odd powers of s.
+template <class Real> constexpr Real log_coefficient(int k) { return static_cast<Real>(2.8853900817779268147 / (2 * k + 1)); }
+// ln(2)^k / k!: the series of 2^x.
+template <class Real> constexpr Real exp_coefficient(int k) {
+  double c = 1;
+  for (int i = 1; i <= k; ++i) c *= 0.69314718055994530942 / i;
+  return static_cast<Real>(c);
+}
+
+template <class V> PERCAL_INLINE V log2_of(V x) {
+  using Real = RealOf<V>; using Bits = BitsOf<V>; using Format = FloatFormat<Real>;
+  const Bits bits = same_bits<Bits>(x);
+  const Bits power = (bits - Format::root_half) >> Format::mantissa_bits;
+  const V m = same_bits<V>(Bits(bits - (power << Format::mantissa_bits)));  // in [sqrt(1/2), sqrt 2)
+  // power is below 2^11: placing it in the low bits of `rounder` makes it a number without a conversion instruction.
+  const V exponent = same_bits<V>(Bits(same_bits<Bits>(broadcast<V>(Format::rounder)) + power)) - Format::rounder;
+  const V s = (m - Real(1)) / (m + Real(1)), z = s * s;
+  V series = broadcast<V>(log_coefficient<Real>(Format::log_terms - 1));
+#pragma GCC unroll 16
+  for (int k = Format::log_terms - 2; k >= 0; --k) series = series * z + log_coefficient<Real>(k);
+  return series * s + exponent;
+}
+
+template <class V> PERCAL_INLINE V exp2_of(V x) {
+  using Real = RealOf<V>; using Bits = BitsOf<V>; using Format = FloatFormat<Real>;
+  const Real limit = Format::largest_power;
+  x = smaller(larger(x, broadcast<V>(-limit)), broadcast<V>(limit));
+  const V shifted_up = x + Format::rounder;
+  const V f = x - (shifted_up - Format::rounder);  // in [-1/2, 1/2]
+  V series = broadcast<V>(exp_coefficient<Real>(Format::exp_terms));
+#pragma GCC unroll 16
+  for (int k = Format::exp_terms - 1; k >= 0; --k) series = series * f + exp_coefficient<Real>(k);
+  // The low bits of shifted_up hold the integer: moved to the exponent field and added there, they multiply by 2^n.
+  const Bits n = same_bits<Bits>(shifted_up) << Format::mantissa_bits;
+  return same_bits<V>(Bits(same_bits<Bits>(series) + n));
+}
+
+}  // namespace percal::PERCAL_LEVEL

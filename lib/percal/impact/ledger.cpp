@@ -1,0 +1,86 @@
+#include "percal/impact/ledger.hpp"
+
+#include <cmath>
+
+#include "percal/impact/element.hpp"
+
+namespace percal {
+namespace {
+
+// Corners: inner upper, outer upper, outer lower, inner lower. Gradient in r and z of each corner's shape function, times the
+// element's width and height: -+1/2.
+constexpr double along_r[4] = {-0.5, 0.5, 0.5, -0.5}, along_z[4] = {-0.5, -0.5, 0.5, 0.5};
+constexpr double hourglass_mode[4] = {1, -1, 1, -1};
+
+}  // namespace
+
+template <class Real>
+ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& material, int column, int row, double last_step) {
+  const auto& view = block.view();
+  const auto& shape = block.shapes()[column];
+  const long corner[4] = {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1), block.at(column, row + 1)};
+  const double width = shape.width, height = shape.height, radius = shape.mean_radius, volume = radius * width * height;
+
+  scalar::Gradient<double> F{1, 0, 0, 1, 1};
+  double mode_r = 0, mode_z = 0;
+  for (int a = 0; a < 4; ++a) {
+    const double ur = view.u_r[corner[a]], uz = view.u_z[corner[a]];
+    F.rr += along_r[a] * ur / width;
+    F.rz += along_z[a] * ur / height;
+    F.zr += along_r[a] * uz / width;
+    F.zz += along_z[a] * uz / height;
+    F.hoop += ur / (4 * radius);
+    mode_r += hourglass_mode[a] * ur;
+    mode_z += hourglass_mode[a] * uz;
+  }
+  F.hoop = std::max(F.hoop, 1e-3);
+  const auto s = scalar::stretches(F);
+  const auto g = scalar::isochoric_powers(F, s, material.alpha);
+  const double J = s.jacobian, alpha = material.alpha, mu = material.mu;
+  const double density = 2 * mu / (alpha * alpha) * (g.first + g.second + g.hoop - 3) +
+                         material.bulk / 4 * (J * J - 1 - 2 * std::log(J));
+  const double stiffness = material.hourglass * mu / 12 * (height / width + width / height) * radius;
+  ElementEnergy energy;
+  energy.elastic = volume * density;
+  energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
+  if (last_step > 0) {
+    const auto P = scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * mu / alpha), material.bulk / 2 * (J * J - 1));
+    double power = 0;
+    for (int a = 0; a < 4; ++a) {
+      const double nr = along_r[a] / width, nz = along_z[a] / height;
+      const double fr = -volume * (P.rr * nr + P.rz * nz + P.hoop / (4 * radius)) - stiffness * hourglass_mode[a] * mode_r;
+      const double fz = -volume * (P.zr * nr + P.zz * nz) - stiffness * hourglass_mode[a] * mode_z;
+      power += fr * view.v_r[corner[a]] + fz * view.v_z[corner[a]];
+    }
+    energy.last_work = 0.5 * last_step * power;
+  }
+  return energy;
+}
+
+template <class Real>
+EnergyLedger stored_energy(const Block<Real>& block, const MaterialConstants& material) {
+  const auto& view = block.view();
+  const auto& mesh = block.mesh();
+  EnergyLedger energy;
+  for (int i = 0; i <= mesh.columns(); ++i)
+    for (int j = 0; j <= mesh.rows; ++j) {
+      const double vr = view.v_r[block.at(i, j)], vz = view.v_z[block.at(i, j)];
+      const double kinetic = 0.5 * block.mass(i, j) * (vr * vr + vz * vz);
+      (block.has_live_element(i, j) ? energy.live_kinetic : energy.freed_mass) += kinetic;
+    }
+  for (int i = 0; i < mesh.columns(); ++i)
+    for (int j = 0; j < mesh.rows; ++j)
+      if (view.alive[block.at(i, j)] > 0) {
+        const auto element = element_energy(block, material, i, j, 0);
+        energy.elastic += element.elastic;
+        energy.hourglass += element.hourglass;
+      }
+  return energy;
+}
+
+template ElementEnergy element_energy(const Block<float>&, const MaterialConstants&, int, int, double);
+template ElementEnergy element_energy(const Block<double>&, const MaterialConstants&, int, int, double);
+template EnergyLedger stored_energy(const Block<float>&, const MaterialConstants&);
+template EnergyLedger stored_energy(const Block<double>&, const MaterialConstants&);
+
+}  // namespace percal

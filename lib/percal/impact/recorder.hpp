@@ -1,0 +1,44 @@
+// Keeps the penetration history: nothing at all, or about as many evenly spaced points as asked for.
+#pragma once
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "percal/impact/result.hpp"
+#include "percal/problem/choices.hpp"
+
+namespace percal {
+
+template <class Choice> class Recorder;
+
+template <> class Recorder<NoHistory> {
+ public:
+  explicit Recorder(const NoHistory&) {}
+  void record(const HistoryPoint&) {}
+  std::vector<HistoryPoint> take() { return {}; }
+};
+static_assert(std::is_empty_v<Recorder<NoHistory>>);
+
+// Keeps every stride-th point; when there are twice as many as asked for, every second one goes and the stride doubles.
+template <> class Recorder<History> {
+ public:
+  explicit Recorder(const History& history) : most_(2 * static_cast<std::size_t>(history.samples)) {}
+
+  void record(const HistoryPoint& point) {
+    if (seen_++ % stride_ != 0) return;
+    points_.push_back(point);
+    if (points_.size() < most_) return;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < points_.size(); k += 2) points_[kept++] = points_[k];
+    points_.resize(kept);
+    stride_ *= 2;
+  }
+  std::vector<HistoryPoint> take() { return std::move(points_); }
+
+ private:
+  std::size_t most_;
+  long seen_ = 0, stride_ = 1;
+  std::vector<HistoryPoint> points_;
+};
+
+}  // namespace percal

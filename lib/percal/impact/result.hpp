@@ -1,0 +1,60 @@
+// What one run of the impact solver ends with. Dimensionless: lengths in radii, energies over the impact energy where said.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace percal {
+
+// How a run ended: a value that the caller must look at.
+//   stopped         the sphere came to rest: depth is its deepest tip position
+//   passed_through  the tip reached the bottom of the layer: depth is at least the layer's
+//   time_up         the end time came first: depth is the deepest so far
+//   supersonic      the impact is faster than the target's waves: not run
+//   unstable        an element turned inside out, the step collapsed, energy was not conserved or a number was not finite
+enum class Outcome { stopped, passed_through, time_up, supersonic, unstable };
+std::string word(Outcome outcome);
+Outcome outcome_from(const std::string& word);  // throws std::invalid_argument
+
+// Where the impact energy went, each as a share of it. Shares of a perfect solver sum to 1.
+struct EnergyLedger {
+  double particle = 0;         // kinetic, of the sphere
+  double live_kinetic = 0;     // of nodes that have an element left
+  double freed_mass = 0;       // kinetic, of nodes whose elements are all gone
+  double elastic = 0;          // stored in live elements
+  double hourglass = 0;        // stored in their hourglass springs
+  double viscosity = 0;        // taken by the bulk viscosity
+  double eroded = 0;           // stored in elements when they were taken out
+  double contact = 0;          // stored in contact springs
+  double contact_dropped = 0;  // stored in contact springs of nodes when their last element was taken out
+
+  double sum() const;
+  double closure() const { return sum() - 1; }                        // the solver's own energy error
+  double numerical_loss() const { return viscosity + contact_dropped; }  // no part of the physics asked for
+};
+
+struct HistoryPoint {
+  double time;   // radii over impact speed
+  double tip;    // depth of the tip, radii
+  double speed;  // over impact speed
+  double force;  // on the sphere, upwards, over rho_t v^2 a^2 per radian
+};
+
+struct ImpactResult {
+  Outcome outcome = Outcome::unstable;
+  std::string reason;            // of unstable, in words; else empty
+  double depth = 0;              // deepest tip position, radii
+  double end_time = 0;
+  double end_speed = 0;
+  long elements = 0;
+  long steps = 0;
+  double element_steps = 0;      // elements of the rows that were advanced, live and dead, times their steps
+  long eroded = 0;
+  long distorted = 0;            // of these: taken out because J or the step became too small, not by their strain
+  double smallest_jacobian = 1;
+  double smallest_step = 0;      // over the first
+  double largest_gap = 0;        // deepest overlap of a node with the sphere, in element sizes
+  EnergyLedger energy;
+  std::vector<HistoryPoint> history;  // empty unless asked for
+};
+
+}  // namespace percal

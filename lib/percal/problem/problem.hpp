@@ -1,0 +1,80 @@
+// The dimensionless problem: particle radius, impact speed and target density are 1. Similar systems are one problem.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/problem/choices.hpp"
+#include "percal/scene/scene.hpp"
+
+namespace percal {
+
+struct Problem {
+  double pi4 = 0;            // rho_t v^2 / mu, mu the true shear modulus
+  double density_ratio = 0;  // rho_p / rho_t = 1/pi5
+  double alpha = 0;
+  double bulk_ratio = 50;    // K / mu
+  double depth = 75;         // L / a
+  double width = 5;          // w / a
+  Bottom bottom = Bottom::free;
+  Erosion erosion = NoErosion{};
+
+  int elements_per_radius = 10;
+  double fine_width = 1;
+  int graded_columns = 5;
+
+  double contact_stiffness = 0.6;
+  double hourglass = 0.5;
+  double linear_viscosity = 0.06;
+  double quadratic_viscosity = 1.2;
+  double time_step_factor = 0.8;
+  Arithmetic arithmetic = Arithmetic::single_precision;
+  double end_time = 1000;     // in radii at impact speed
+
+  double speed_factor = 1;    // a replicate's speed over the scene's
+  HistoryChoice history = NoHistory{};  // not part of the key: it does not change the result
+
+  double mu() const { return 1 / pi4; }
+  double bulk() const { return bulk_ratio / pi4; }
+};
+
+// v over the dilatational wave speed sqrt((K + 4 mu/3)/rho).
+double mach_number(const Problem& problem);
+
+// What takes dimensionless results back to SI.
+struct Scales {
+  double radius = 1;          // m
+  double speed = 1;           // m/s
+  double target_density = 1;  // kg/m3
+};
+
+// Something that the scene could have had and this run does without, and why.
+struct LeftOut {
+  std::string what;
+  std::string why;
+};
+
+struct Reduction {
+  Problem problem;
+  Scales scales;
+  double mu_true = 0;        // Pa
+  double bulk_modulus = 0;   // Pa
+  double mach = 0;
+  bool bulk_was_chosen = false;
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> warnings;
+};
+
+// The scene without its dimensions; every input is rounded to 12 significant digits, so that one scene written in other
+// units, and two similar systems, are the same problem to the last bit.
+Reduction reduce(const Scene& scene);
+
+// The factors of the replicates: 1, 1.001, 0.999, 1.002, 0.998, ...
+double replicate_speed_factor(int replicate);
+
+// The canonical text of a problem: every number that decides the result, the solver's version and the instruction level.
+std::string evaluation_key(const Problem& problem, const std::string& instruction_level);
+
+// x rounded to 12 significant digits.
+double round_to_12_digits(double x);
+
+}  // namespace percal

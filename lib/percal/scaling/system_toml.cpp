@@ -1,0 +1,52 @@
+#include "percal/scaling/system_toml.hpp"
+
+#include <string>
+
+namespace percal {
+namespace {
+
+bool is_response(const SystemQuantity& quantity) {
+  return quantity.member == &System::penetration || quantity.member == &System::strain_rate || quantity.member == &System::time;
+}
+
+void read_number(const TomlTable& table, const SystemQuantity& quantity, System& system) {
+  auto range = quantity.member == &System::alpha ? any_number() : positive(quantity.words);
+  if (auto number = table.optional_quantity(quantity.key, quantity.dimension, range)) system.*quantity.member = number;
+}
+
+void take_true_modulus(const TomlTable& table, SystemInput& input, const SystemInput& otherwise) {
+  if (!input.system.mu || input.convention == ModulusConvention::true_shear) return;
+  auto alpha = input.system.alpha ? input.system.alpha : otherwise.system.alpha;
+  if (!alpha) table.refuse("mu", "a modulus of convention \"mu/alpha\" and no alpha", "alpha beside it");
+  double modulus = true_modulus(*input.system.mu, *alpha, input.convention);
+  if (!(modulus > 0))
+    table.refuse("alpha", "the true modulus mu alpha/2 = " + format_quantity(modulus, dimension::pressure),
+                 "an alpha that makes it positive");
+  input.system.mu = modulus;
+}
+
+}  // namespace
+
+SystemInput read_system(const TomlTable& table, const SystemInput& otherwise) {
+  SystemInput input;
+  input.system.particle = table.text("particle", input.system.particle);
+  input.system.target = table.text("target", input.system.target);
+  input.convention = static_cast<ModulusConvention>(
+      table.word("convention", {word(ModulusConvention::true_shear), word(ModulusConvention::mu_over_alpha)},
+                 static_cast<int>(otherwise.convention)));
+  input.measure = static_cast<StrainMeasure>(table.word(
+      "strain_measure", {word(StrainMeasure::engineering), word(StrainMeasure::true_strain), word(StrainMeasure::green_lagrange)},
+      static_cast<int>(otherwise.measure)));
+  for (const auto& quantity : system_quantities()) read_number(table, quantity, input.system);
+  if (input.system.erosion_strain && input.measure != StrainMeasure::engineering)
+    input.system.erosion_strain = strain_at(stretch_at(*input.system.erosion_strain, input.measure), StrainMeasure::engineering);
+  take_true_modulus(table, input, otherwise);
+  return input;
+}
+
+void read_response(const TomlTable& table, System& system) {
+  for (const auto& quantity : system_quantities())
+    if (is_response(quantity)) read_number(table, quantity, system);
+}
+
+}  // namespace percal

@@ -1,0 +1,416 @@
+#include "percal/text/toml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+#include "percal/text/file.hpp"
+#include "percal/units/words.hpp"
+
+#define TOML_MAX_NESTED_VALUES 32  // with most_dots below this bounds the depth of a document, and so the stack it needs
+#include <toml++/toml.h>
+
+namespace percal {
+namespace {
+
+struct Document {
+  std::string file;
+  toml::table root;
+};
+
+constexpr std::size_t largest_file = std::size_t{16} << 20;  // bytes
+constexpr int most_dots = 100;                               // in one line, decimal points not counted
+
+bool is_digit(char c) { return (c >= '0' && c <= '9') || c == '_'; }
+
+// A dot with digits on both sides, none of which belongs to another dot: 0.25, but not the keys 1.2.3.
+bool is_decimal_point(std::string_view line, std::size_t dot) {
+  std::size_t before = dot, after = dot + 1;
+  while (before > 0 && is_digit(line[before - 1])) --before;
+  while (after < line.size() && is_digit(line[after])) ++after;
+  const bool has_digits = before < dot && after > dot + 1;
+  const bool alone = (before == 0 || line[before - 1] != '.') && (after == line.size() || line[after] != '.');
+  return has_digits && alone;
+}
+
+// Each dot of a key nests one table in another, and tables are destroyed recursively.
+void refuse_deep_keys(std::string_view text, const std::string& file) {
+  int number = 1;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    int dots = 0;
+    for (std::size_t at = line.find('.'); at != line.npos; at = line.find('.', at + 1)) dots += !is_decimal_point(line, at);
+    if (dots > most_dots) throw BadInput({file, number, ""}, "a line with more than 100 dots", "keys nested a few levels deep");
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    ++number;
+  }
+}
+
+// What stands in the file, for messages.
+std::string described(const toml::node& node) {
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
+  if (const auto* number = node.as_integer()) return fmt::format("{}", number->get());
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  if (const auto* array = node.as_array()) return array->empty() ? "an empty array" : "an array";
+  if (node.is_table()) return "a table";
+  return "a date or time";
+}
+
+std::optional<double> as_number(const toml::node& node) {
+  if (const auto* number = node.as_integer()) return static_cast<double>(number->get());
+  if (const auto* number = node.as_floating_point()) return number->get();
+  return std::nullopt;
+}
+
+std::string words_of(const Range& range) {
+  if (!range.words.empty()) return range.words;
+  const bool has_low = std::isfinite(range.low), has_high = std::isfinite(range.high);
+  std::string text = "a number";
+  if (has_low) text += fmt::format(" {} {}", range.low_open ? "above" : "from", range.low);
+  if (has_low && has_high) text += " and";
+  if (has_high) text += fmt::format(" {} {}", range.high_open ? "below" : "up to", range.high);
+  return text;
+}
+
+bool contains(const Range& range, double value) {
+  return std::isfinite(value) && (range.low_open ? value > range.low : value >= range.low) &&
+         (range.high_open ? value < range.high : value <= range.high);
+}
+
+std::string accepted_quantity(const Dimension& dimension, const Range& range) {
+  if (dimension == dimension::none) return words_of(range);
+  const std::string units = units_of(dimension);
+  return fmt::format("{} with its unit, such as \"5 {}\" ({})", words_of(range), units.substr(0, units.find(',')), units);
+}
+
+std::string accepted_integer(int low, int high) { return fmt::format("a whole number from {} to {}", low, high); }
+
+std::string accepted_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + in_quotes(word);
+  return text;
+}
+
+int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
+
+std::string with_article(const std::string& noun) {
+  const bool vowel = !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + noun;
+}
+
+}  // namespace
+
+Range positive(const std::string& what) {
+  return {.low = 0, .high = std::numeric_limits<double>::infinity(), .low_open = true, .words = "a positive " + what};
+}
+
+Range not_negative(const std::string& what) {
+  return {.low = 0, .high = std::numeric_limits<double>::infinity(), .words = with_article(what) + " not below zero"};
+}
+
+Range any_number() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {.low = -infinity, .high = infinity, .words = "a finite number"};
+}
+
+// A table with what has been asked of it. Children are shared, so that asking twice for a table gives the same one.
+struct TomlTable::Node {
+  std::shared_ptr<const Document> document;
+  const toml::table* table;
+  std::string prefix;  // "target.erosion.", empty for the root
+  int line;            // of the table's header
+  mutable std::vector<std::string> asked;
+  mutable std::map<std::string, std::shared_ptr<const Node>> children;
+
+  // The value of a key, which is known from now on; nullptr where the file has none.
+  const toml::node* ask(const std::string& key) const {
+    if (std::find(asked.begin(), asked.end(), key) == asked.end()) asked.push_back(key);
+    return table->get(key);
+  }
+
+  Place place(const std::string& key, const toml::node* at = nullptr) const {
+    const auto found = table->find(key);
+    int where = at ? line_of(at->source()) : 0;
+    if (where == 0 && found != table->end()) where = line_of(found->first.source());
+    return {document->file, where > 0 ? where : line, prefix + key};
+  }
+
+  [[noreturn]] void refuse(const std::string& key, const toml::node& at, const std::string& accepted) const {
+    throw BadInput(place(key, &at), described(at), accepted);
+  }
+
+  [[noreturn]] void missing(const std::string& key, const std::string& accepted) const {
+    std::vector<std::string> unasked;
+    for (const auto& [name, value] : *table) {
+      if (std::find(asked.begin(), asked.end(), name.str()) == asked.end()) unasked.emplace_back(name.str());
+    }
+    std::string found = "no such key";
+    if (const auto near = nearest_word(key, unasked)) {
+      found += fmt::format(" (line {} has {})", place(*near).line, in_quotes(*near));
+    }
+    throw BadInput(place(key), found, accepted);
+  }
+
+  double checked_quantity(const std::string& key, const toml::node& at, const Dimension& dimension, const Range& range) const {
+    const std::string accepted = accepted_quantity(dimension, range);
+    if (const auto number = as_number(at)) {
+      if (dimension == dimension::none) return checked_number(key, at, range);
+      throw BadInput(place(key, &at), described(at) + " without a unit", accepted);
+    }
+    const auto* text = at.as_string();
+    if (!text) refuse(key, at, accepted);
+    try {
+      const Quantity quantity = parse_quantity(text->get());
+      if (quantity.dimension == dimension && contains(range, quantity.value)) return quantity.value;
+      if (quantity.dimension == dimension) refuse(key, at, accepted);
+      const std::string kind = quantity.dimension == dimension::none ? "number without a unit" : name_of(quantity.dimension);
+      throw BadInput(place(key, &at), described(at) + ", " + with_article(kind), accepted);
+    } catch (const std::invalid_argument& error) {
+      throw BadInput(place(key, &at), fmt::format("{}: {}", described(at), error.what()), accepted);
+    }
+  }
+
+  double checked_number(const std::string& key, const toml::node& at, const Range& range) const {
+    const auto number = as_number(at);
+    if (!number || !contains(range, *number)) refuse(key, at, words_of(range));
+    return *number;
+  }
+
+  std::string checked_text(const std::string& key, const toml::node& at) const {
+    const auto* text = at.as_string();
+    if (!text) refuse(key, at, "a text in quotes");
+    return text->get();
+  }
+
+  // Each element of an array that is not empty, through `read(key of the element, element)`.
+  template <class Read>
+  auto elements(const std::string& key, const std::string& accepted, Read&& read) const {
+    const toml::node* at = ask(key);
+    if (!at) missing(key, accepted);
+    const auto* array = at->as_array();
+    if (!array || array->empty()) refuse(key, *at, accepted);
+    std::vector<decltype(read(key, *at))> result;
+    for (const auto& element : *array) {
+      result.push_back(read(fmt::format("{}[{}]", key, result.size() + 1), element));
+    }
+    return result;
+  }
+
+  std::shared_ptr<const Node> child(const std::string& name, const toml::table& inner, int inner_line) const {
+    auto& shared = children[name];
+    if (!shared) shared = std::make_shared<const Node>(Node{document, &inner, prefix + name + ".", inner_line, {}, {}});
+    return shared;
+  }
+
+  void collect_unknown(std::vector<std::string>& messages) const {
+    for (const auto& [name, value] : *table) {
+      const std::string key(name.str());
+      if (std::find(asked.begin(), asked.end(), key) != asked.end()) continue;
+      const auto near = nearest_word(key, asked);
+      const std::string found = near ? "an unknown key (did you mean " + *near + "?)" : "an unknown key";
+      Place where = place(key);
+      const std::string shown = in_quotes(key);
+      where.key = prefix + shown.substr(1, shown.size() - 2);
+      messages.emplace_back(BadInput(where, found, asked.empty() ? "no keys here" : listed(asked)).what());
+    }
+    for (const auto& [name, inner] : children) inner->collect_unknown(messages);
+  }
+};
+
+TomlTable::TomlTable(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+
+std::optional<double> TomlTable::optional_quantity(const std::string& key, const Dimension& dimension, const Range& range) const {
+  const auto* at = node_->ask(key);
+  return at ? std::optional(node_->checked_quantity(key, *at, dimension, range)) : std::nullopt;
+}
+
+double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range) const {
+  if (const auto value = optional_quantity(key, dimension, range)) return *value;
+  node_->missing(key, accepted_quantity(dimension, range));
+}
+
+double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range, double fallback) const {
+  return optional_quantity(key, dimension, range).value_or(fallback);
+}
+
+std::vector<double> TomlTable::quantities(const std::string& key, const Dimension& dimension, const Range& range) const {
+  return node_->elements(key, "an array, each element " + accepted_quantity(dimension, range),
+                         [&](const std::string& name, const toml::node& at) {
+                           return node_->checked_quantity(name, at, dimension, range);
+                         });
+}
+
+std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) const {
+  const auto* at = node_->ask(key);
+  return at ? std::optional(node_->checked_number(key, *at, range)) : std::nullopt;
+}
+
+double TomlTable::number(const std::string& key, const Range& range) const {
+  if (const auto value = optional_number(key, range)) return *value;
+  node_->missing(key, words_of(range));
+}
+
+double TomlTable::number(const std::string& key, const Range& range, double fallback) const {
+  return optional_number(key, range).value_or(fallback);
+}
+
+std::vector<double> TomlTable::numbers(const std::string& key, const Range& range) const {
+  return node_->elements(key, "an array, each element " + words_of(range), [&](const std::string& name, const toml::node& at) {
+    return node_->checked_number(name, at, range);
+  });
+}
+
+std::optional<int> TomlTable::optional_integer(const std::string& key, int low, int high) const {
+  const auto* at = node_->ask(key);
+  if (!at) return std::nullopt;
+  const auto* number = at->as_integer();
+  if (at->is_floating_point()) throw BadInput(place(key), "the decimal number " + described(*at), accepted_integer(low, high));
+  if (!number || number->get() < low || number->get() > high) node_->refuse(key, *at, accepted_integer(low, high));
+  return static_cast<int>(number->get());
+}
+
+int TomlTable::integer(const std::string& key, int low, int high) const {
+  if (const auto value = optional_integer(key, low, high)) return *value;
+  node_->missing(key, accepted_integer(low, high));
+}
+
+int TomlTable::integer(const std::string& key, int low, int high, int fallback) const {
+  return optional_integer(key, low, high).value_or(fallback);
+}
+
+bool TomlTable::flag(const std::string& key, bool fallback) const {
+  const auto* at = node_->ask(key);
+  if (!at) return fallback;
+  const auto* flag = at->as_boolean();
+  if (!flag) node_->refuse(key, *at, "true or false");
+  return flag->get();
+}
+
+std::optional<std::string> TomlTable::optional_text(const std::string& key) const {
+  const auto* at = node_->ask(key);
+  return at ? std::optional(node_->checked_text(key, *at)) : std::nullopt;
+}
+
+std::string TomlTable::text(const std::string& key) const {
+  if (const auto value = optional_text(key)) return *value;
+  node_->missing(key, "a text in quotes");
+}
+
+std::string TomlTable::text(const std::string& key, const std::string& fallback) const {
+  return optional_text(key).value_or(fallback);
+}
+
+std::vector<std::string> TomlTable::texts(const std::string& key) const {
+  return node_->elements(key, "an array of texts in quotes", [&](const std::string& name, const toml::node& at) {
+    return node_->checked_text(name, at);
+  });
+}
+
+int TomlTable::word(const std::string& key, const std::vector<std::string>& accepted) const {
+  const auto* at = node_->ask(key);
+  if (!at) node_->missing(key, accepted_words(accepted));
+  const auto* text = at->as_string();
+  if (!text) node_->refuse(key, *at, accepted_words(accepted));
+  const auto found = std::find(accepted.begin(), accepted.end(), text->get());
+  if (found != accepted.end()) return static_cast<int>(found - accepted.begin());
+  const auto near = nearest_word(text->get(), accepted);
+  throw BadInput(place(key), described(*at) + (near ? " (did you mean " + in_quotes(*near) + "?)" : ""), accepted_words(accepted));
+}
+
+int TomlTable::word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const {
+  return node_->ask(key) ? word(key, accepted) : fallback;
+}
+
+bool TomlTable::has(const std::string& key) const { return node_->table->contains(key); }
+
+std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const {
+  const auto* at = node_->ask(key);
+  if (!at) return std::nullopt;
+  const auto* inner = at->as_table();
+  if (!inner) node_->refuse(key, *at, "a table: [" + node_->prefix + key + "]");
+  return TomlTable(node_->child(key, *inner, place(key).line));
+}
+
+TomlTable TomlTable::table(const std::string& key) const {
+  if (auto inner = optional_table(key)) return *inner;
+  node_->missing(key, "a table: [" + node_->prefix + key + "]");
+}
+
+std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
+  const auto* at = node_->ask(key);
+  if (!at) return {};
+  const std::string accepted = "tables: [[" + node_->prefix + key + "]]";
+  const auto* array = at->as_array();
+  if (!array) node_->refuse(key, *at, accepted);
+  std::vector<TomlTable> result;
+  for (const auto& element : *array) {
+    const std::string name = fmt::format("{}[{}]", key, result.size() + 1);
+    const auto* inner = element.as_table();
+    if (!inner) node_->refuse(name, element, accepted);
+    result.emplace_back(node_->child(name, *inner, node_->place(key, &element).line));
+  }
+  return result;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<const toml::key*> found;
+  for (const auto& [name, value] : *node_->table) found.push_back(&name);
+  std::stable_sort(found.begin(), found.end(), [](const toml::key* a, const toml::key* b) {
+    return a->source().begin < b->source().begin;
+  });
+  std::vector<std::string> names;
+  for (const auto* name : found) names.emplace_back(name->str());
+  return names;
+}
+
+std::optional<std::string> TomlTable::optional_path(const std::string& key) const {
+  const auto text = optional_text(key);
+  if (!text) return std::nullopt;
+  if (text->empty() || text->find('\0') != std::string::npos) refuse(key, in_quotes(*text), "the name of a file");
+  const auto folder = std::filesystem::path(node_->document->file).parent_path();
+  return (folder / *text).lexically_normal().string();
+}
+
+std::string TomlTable::path(const std::string& key) const {
+  if (const auto value = optional_path(key)) return *value;
+  node_->missing(key, "the name of a file");
+}
+
+Place TomlTable::place(const std::string& key) const { return node_->place(key); }
+
+void TomlTable::refuse(const std::string& key, const std::string& found, const std::string& accepted) const {
+  throw BadInput(place(key), found, accepted);
+}
+
+void TomlTable::finish() const {
+  constexpr std::size_t most_messages = 10;
+  std::vector<std::string> messages;
+  node_->collect_unknown(messages);
+  if (messages.empty()) return;
+  const std::size_t left_out = messages.size() - std::min(messages.size(), most_messages);
+  messages.resize(messages.size() - left_out);
+  if (left_out > 0) messages.push_back(fmt::format("and {} more unknown keys", left_out));
+  throw BadInput(fmt::format("{}", fmt::join(messages, "\n")));
+}
+
+TomlTable read_toml(const std::string& path) { return parse_toml(read_file(path), path); }
+
+TomlTable parse_toml(const std::string& text, const std::string& name) {
+  if (text.size() > largest_file) throw BadInput(name + ": is larger than 16 MiB");
+  refuse_deep_keys(text, name);
+  try {
+    auto document = std::make_shared<const Document>(Document{name, toml::parse(text)});
+    const toml::table* root = &document->root;
+    return TomlTable(std::make_shared<const TomlTable::Node>(TomlTable::Node{std::move(document), root, "", 0, {}, {}}));
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    throw BadInput(fmt::format("{}:{}: not valid TOML (column {}): {}", name, begin.line, begin.column, error.description()));
+  }
+}
+
+}  // namespace percal

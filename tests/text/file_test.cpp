@@ -1,0 +1,127 @@
+#include "percal/text/file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "percal/base/error.hpp"
+
+namespace percal {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class File : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "percal-file-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string in_folder(const std::string& name) const { return (folder / name).string(); }
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path().filename().string());
+    return result;
+  }
+
+  fs::path folder;
+};
+
+// Files beyond `bytes` cannot be written while this lives: the disk is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_F(File, WhatIsWrittenIsReadBackByteForByte) {
+  const std::string content = std::string("a\r\nb\0c\xff", 7) + std::string(300000, 'x');
+  write_file(in_folder("new/deep/file.txt"), content);
+  EXPECT_EQ(read_file(in_folder("new/deep/file.txt")), content);
+  write_file(in_folder("new/deep/file.txt"), "short");
+  EXPECT_EQ(read_file(in_folder("new/deep/file.txt")), "short");
+}
+
+TEST_F(File, AFullDiskLeavesTheOldFileAndNothingElse) {
+  write_file(in_folder("result.json"), "old");
+  {
+    const FullDisk full(1000);
+    EXPECT_THROW(write_file(in_folder("result.json"), std::string(5000, 'x')), IoFailure);
+    EXPECT_THROW(write_file(in_folder("other.json"), std::string(5000, 'x')), IoFailure);
+    EXPECT_THROW(ensure_writable_folder(folder.string()), IoFailure);
+  }
+  EXPECT_EQ(read_file(in_folder("result.json")), "old");
+  EXPECT_THAT(names(), testing::ElementsAre("result.json"));
+}
+
+TEST_F(File, ADeviceIsWrittenToAndNotReplaced) {
+  EXPECT_NO_THROW(write_file("/dev/null", "text"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  EXPECT_THROW(write_file("/dev/full", "text"), IoFailure);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(File, AnUnwritableFolderIsAnIoFailureThatNamesThePath) {
+  write_file(in_folder("regular"), "");
+  for (const std::string& path : {in_folder("regular/below"), std::string("/proc/percal/file")}) {
+    try {
+      write_file(path, "text");
+      ADD_FAILURE() << path;
+    } catch (const IoFailure& error) {
+      EXPECT_THAT(error.what(), HasSubstr(fs::path(path).parent_path().string()));
+    }
+    EXPECT_THROW(ensure_writable_folder(path), IoFailure);
+  }
+  EXPECT_THROW(write_file(folder.string(), "text"), IoFailure);
+  EXPECT_THROW(write_file("", "text"), IoFailure);
+  EXPECT_THROW(ensure_writable_folder(in_folder("regular")), IoFailure);
+}
+
+TEST_F(File, AWritableFolderIsLeftEmpty) {
+  ensure_writable_folder(in_folder("a/b"));
+  EXPECT_TRUE(fs::is_directory(in_folder("a/b")));
+  EXPECT_TRUE(fs::is_empty(in_folder("a/b")));
+}
+
+TEST_F(File, ALinkStaysALinkAndPermissionsStay) {
+  write_file(in_folder("real"), "old");
+  chmod(in_folder("real").c_str(), 0640);
+  fs::create_symlink("real", in_folder("link"));
+  write_file(in_folder("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(in_folder("link")));
+  EXPECT_EQ(read_file(in_folder("real")), "new");
+  struct stat status;
+  ASSERT_EQ(stat(in_folder("real").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777, 0640u);
+}
+
+TEST_F(File, AMissingFileOrAFolderIsBadInput) {
+  EXPECT_THROW(read_file(in_folder("missing")), BadInput);
+  EXPECT_THROW(read_file(folder.string()), BadInput);
+  EXPECT_THROW(read_file(""), BadInput);
+  EXPECT_THROW(read_file(std::string(5000, 'x')), BadInput);
+}
+
+}  // namespace
+}  // namespace percal
