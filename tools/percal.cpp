@@ -34,9 +34,10 @@ CLI::App* add_fit(CLI::App& app, FitArguments& fit, Common& common) {
   command->add_option("--residual", fit.residual, "relative (Guha 2009, Eq. 3-4) or absolute")->check(CLI::IsMember({"relative", "absolute"}));
   command->add_option("--x", fit.x, "column of stretch, strain or shear");
   command->add_option("--y", fit.y, "column of stress");
-  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)");
+  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)")->allow_extra_args(false);
   command->footer("Example: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute");
   add_common(*command, common, false);
+  command->get_option("--out")->description("folder for result.json (default: nothing is written)");
   return command;
 }
 

@@ -84,7 +84,8 @@ SystemInput read_side(const TomlTable& table, const SystemInput& otherwise, std:
 }
 
 ScaleJob read_job(const ScaleArguments& arguments) {
-  ScaleJob job{.file = arguments.job};
+  ScaleJob job;
+  job.file = arguments.job;
   auto root = read_toml(arguments.job);
   job.tolerance = root.number("tolerance", not_negative("tolerance of a group's agreement"), default_tolerance);
   job.prototype = read_side(root.table("prototype"), {}, job.prototype_scene);
@@ -137,7 +138,7 @@ std::string report(const ScaleJob& job, const Completion& completion, const std:
   for (const auto& one : comparisons)
     text += fmt::format("{:<5} {:<15} {:<31} {:>12} {:>12} {:>10}  {}\n", one.group->symbol, one.group->formula, one.group->name,
                         shown(one.prototype), shown(one.model),
-                        one.difference ? fmt::format("{:.2g} %", 100 * *one.difference) : "-", verdict(one));
+                        one.difference ? fmt::format("{:.3g} %", 100 * *one.difference) : "-", verdict(one));
   text += fmt::format("(agree: within {:g} %)\n", 100 * job.tolerance);
 
   if (!completion.derived.empty()) text += "\nthe model's missing values\n";

@@ -120,6 +120,8 @@ TEST(LsDynaCard, RefusesABulkModulusThatTenColumnsCannotTell) {
   CardMaterial material = skin();
   material.bulk_modulus = 1e6 * material.mu_true;
   EXPECT_NO_THROW(lsdyna_card(material, unit_system("si")));
+  material.bulk_modulus = 2e8 * material.mu_true;  // PR = .499999998 would mean 2.5e8 mu
+  EXPECT_THROW(lsdyna_card(material, unit_system("si")), BadInput);
   material.bulk_modulus = 1e9 * material.mu_true;
   EXPECT_THROW(lsdyna_card(material, unit_system("si")), BadInput);
 }

@@ -152,6 +152,22 @@ TEST(PowerLaw, StandardErrorsAreTheLogarithmicLinesForSmallScatter) {
   EXPECT_NEAR(law.factor_error.value() / (law.factor * line.intercept_error.value()), 1, 1e-3);
 }
 
+// s^2 (J^T J)^-1 with J the derivatives of k x^n after k and n themselves.
+TEST(PowerLaw, StandardErrorsOfTheAbsoluteFitAreThoseOfItsOwnParameters) {
+  Values x{7, 8, 10, 12}, y{3.7, 5.9, 8.1, 12.3};
+  auto law = fit_power_law(x, y, Misfit::absolute);
+  double kk = 0, kn = 0, nn = 0;
+  for (double value : x) {
+    double by_factor = std::pow(value, law.exponent), by_exponent = law.at(value) * std::log(value);
+    kk += by_factor * by_factor;
+    kn += by_factor * by_exponent;
+    nn += by_exponent * by_exponent;
+  }
+  double scatter = law.objective / 2, determinant = kk * nn - kn * kn;
+  EXPECT_NEAR(law.factor_error.value(), std::sqrt(scatter * nn / determinant), 1e-6 * *law.factor_error);
+  EXPECT_NEAR(law.exponent_error.value(), std::sqrt(scatter * kk / determinant), 1e-6 * *law.exponent_error);
+}
+
 TEST(PowerLaw, RefusesWhatHasNoLogarithmAndTooFewPoints) {
   EXPECT_THROW(fit_power_law(Values{1, 0}, Values{1, 1}, 1.8, Misfit::absolute), BadInput);
   EXPECT_THROW(fit_power_law(Values{1, 2}, Values{1, -1}, Misfit::absolute), BadInput);

@@ -15,7 +15,7 @@ inline CsvTable table(const std::string& name) { return read_csv(std::string(PER
 // A constant of the text, in SI.
 inline double constant(const std::string& name) {
   auto row = table("constants").where({"name=" + name});
-  return parse_quantity(row.texts("value").at(0) + " " + row.texts("unit").at(0)).value;
+  return row.numbers("value", dimension::none).at(0) * parse_unit(row.texts("unit").at(0)).value;
 }
 
 // Gold of the calibration impact in skin of unit density, as far as similarity needs it.

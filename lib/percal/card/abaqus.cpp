@@ -13,13 +13,13 @@ constexpr std::size_t name_characters = 80;
 
 // A name that both programs take: letters, digits, '_' and '-', a letter first, at most 80 characters.
 std::string material_name(const std::string& name) {
-  std::string fit;
+  const bool letter_first = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
+  std::string fit = letter_first ? "" : "M";
   for (const char letter : name) {
     const auto byte = static_cast<unsigned char>(letter);
     if ((byte & 0xC0) == 0x80) continue;  // the rest of a character in UTF-8
     fit += byte < 128 && (std::isalnum(byte) || letter == '-') ? letter : '_';
   }
-  if (fit.empty() || !std::isalpha(static_cast<unsigned char>(fit.front()))) fit.insert(0, "M");
   return fit.substr(0, name_characters);
 }
 

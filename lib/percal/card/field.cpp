@@ -110,12 +110,14 @@ std::string comment_lines(const std::string& prefix, const std::string& text) {
     if (!empty && line.size() + 1 + word.size() > comment_columns) flush();
     while (line.size() + 1 + word.size() > comment_columns) {  // a word longer than a line
       const std::size_t room = comment_columns - line.size() - 1;
-      line += " " + word.substr(0, room);
+      line += ' ';
+      line += word.substr(0, room);
       word.erase(0, room);
       flush();
     }
     if (word.empty()) return;
-    line += " " + word;
+    line += ' ';
+    line += word;
     empty = false;
   };
   std::string word;

@@ -20,7 +20,7 @@ std::string poisson_field(const CardMaterial& material) {
   const double ratio = material.bulk_modulus / material.mu_true;
   std::string text = field(poisson_ratio(ratio));
   const double nu = *field_number(text);
-  if (nu >= 0.5 || std::abs(bulk_to_shear(nu) / ratio - 1) > 0.01) {
+  if (!(std::abs(bulk_to_shear(nu) / ratio - 1) <= 0.01)) {  // nu = 0.5 included
     throw BadInput(Place{.file = "", .line = 0, .key = "bulk_modulus_Pa"},
                    fmt::format("{:.6g} Pa, which is {:.3g} mu", material.bulk_modulus, ratio),
                    "for an LS-DYNA card some 1e-6 to 1e7 mu: PR has ten columns");

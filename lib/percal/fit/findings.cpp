@@ -47,7 +47,7 @@ void sign_of_alpha(const OgdenFit& fit, std::vector<std::string>& sentences) {
 
 std::vector<std::string> findings(const OgdenFit& fit) {
   if (fit.minima.empty())
-    return {"No positive modulus fits: the stresses have the wrong sign for the stretches, at every alpha."};
+    return {"No positive modulus fits at any alpha: the stresses have the wrong sign for the stretches, or sizes too far apart."};
   std::vector<std::string> sentences;
   const auto& best = fit.minima[0];
   sign_of_alpha(fit, sentences);

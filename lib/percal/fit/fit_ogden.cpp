@@ -12,10 +12,11 @@
 namespace percal {
 namespace {
 
-constexpr int scan_steps = 800;         // 0.1 in alpha: basins are about 1/ln(largest stretch) wide
-constexpr double same_alpha = 1e-6;     // two results closer than this are one minimum
-constexpr double same_objective = 1e-9;
-constexpr double singular = 1e-12;      // 1 - correlation^2 below which mu and alpha cannot be told apart
+constexpr int scan_steps = 800;          // 0.1 in alpha: basins are about 1/ln(largest stretch) wide
+constexpr double same_alpha = 1e-6;      // two results closer than this are one minimum
+constexpr double same_objective = 1e-9;  // relative: below this two minima are equally good
+constexpr double rounding = 1e-24;       // share of the sum of squares of the data that is only rounding
+constexpr double singular = 1e-12;       // 1 - correlation^2 below which mu and alpha cannot be told apart
 
 // The points that count, and the stress that their stresses are divided by: no number depends on the unit of stress.
 struct Prepared {
@@ -76,16 +77,23 @@ void add_standard_errors(OgdenMinimum& minimum, const Polished& polished, int po
   minimum.correlation = std::clamp(-b / std::sqrt(a * c), -1.0, 1.0);
 }
 
+double rounding_of_objective(const Prepared& prepared, double objective_unit) {
+  double sum = 0;
+  for (const auto& point : prepared.weighted) sum += point.weight * point.stress * point.weight * point.stress;
+  return rounding * sum * objective_unit;
+}
+
 // Best first; of two equal ones the positive alpha first, so that the order is no matter of rounding.
-void sort_and_compare(std::vector<OgdenMinimum>& minima) {
+void sort_and_compare(std::vector<OgdenMinimum>& minima, double floor) {
   std::sort(minima.begin(), minima.end(), [](const auto& a, const auto& b) { return a.objective < b.objective; });
+  const auto equal = [&](const auto& a, const auto& b) { return b.objective - a.objective <= same_objective * a.objective + floor; };
   for (std::size_t i = 0; i + 1 < minima.size(); ++i)
-    if (minima[i + 1].objective <= minima[i].objective * (1 + same_objective) && minima[i].solid.alpha < 0 &&
-        minima[i + 1].solid.alpha > 0)
+    if (equal(minima[i], minima[i + 1]) && minima[i].solid.alpha < 0 && minima[i + 1].solid.alpha > 0)
       std::swap(minima[i], minima[i + 1]);
   for (auto& minimum : minima) {
     const double ratio = minimum.objective / minima[0].objective;
     if (std::isfinite(ratio)) minimum.above_best = ratio - 1;
+    if (&minimum == &minima[0] || equal(minima[0], minimum)) minimum.above_best = 0;
   }
 }
 
@@ -116,7 +124,7 @@ OgdenFit fit_ogden(const CurveData& data, Residual residual) {
     add_standard_errors(minimum, polished, fit.points);
     fit.minima.push_back(minimum);
   }
-  sort_and_compare(fit.minima);
+  sort_and_compare(fit.minima, rounding_of_objective(prepared, objective_unit));
   return fit;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -13,6 +14,8 @@
 
 namespace percal {
 namespace {
+
+constexpr double largest_stress = 1e30;  // Pa; beyond any solid's, and its square is finite
 
 Deformation mode_given(const std::string& mode) {
   if (const auto deformation = deformation_of(mode)) return *deformation;
@@ -98,6 +101,10 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
       if (!across.empty()) point.strained.across = amount_of(across[i], found.abscissa, modes[i]);
     } catch (const std::invalid_argument& error) {
       faults.add(table.rows[i].line, fmt::format("{}: found {}", x_column.header, error.what()));
+      continue;
+    }
+    if (std::abs(y[i]) > largest_stress) {
+      faults.add(table.rows[i].line, fmt::format("{}: found {:.4g} Pa; accepted: at most {:.0e} Pa", y_column.header, y[i], largest_stress));
       continue;
     }
     point.nominal_stress = found.cauchy ? nominal_of_cauchy(y[i], point.strained) : y[i];

@@ -10,9 +10,9 @@ namespace percal {
 
 // What the user says about the columns; empty: found by their names.
 struct CurveColumns {
-  std::string mode;                // deformation of the files without a mode column
-  std::string x, y;                // stretch, strain or shear; stress
-  std::vector<std::string> where;  // COLUMN=VALUE: the rows to keep
+  std::string mode = {};                // deformation of the files without a mode column
+  std::string x = {}, y = {};           // stretch, strain or shear; stress
+  std::vector<std::string> where = {};  // COLUMN=VALUE: the rows to keep
 };
 
 // The points of all files together. Throws BadInput: no such column, several that could be meant, no row left, a stretch that

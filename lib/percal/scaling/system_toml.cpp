@@ -10,18 +10,23 @@ bool is_response(const SystemQuantity& quantity) {
 }
 
 void read_number(const TomlTable& table, const SystemQuantity& quantity, System& system) {
-  auto range = quantity.member == &System::alpha ? any_number() : positive(quantity.words);
+  bool may_be_negative = quantity.member == &System::alpha || quantity.member == &System::mu;  // mu: checked once it is true
+  auto range = may_be_negative ? any_number() : positive(quantity.words);
   if (auto number = table.optional_quantity(quantity.key, quantity.dimension, range)) system.*quantity.member = number;
 }
 
 void take_true_modulus(const TomlTable& table, SystemInput& input, const SystemInput& otherwise) {
-  if (!input.system.mu || input.convention == ModulusConvention::true_shear) return;
+  if (!input.system.mu) return;
+  if (input.convention == ModulusConvention::true_shear) {
+    if (!(*input.system.mu > 0)) table.refuse("mu", format_quantity(*input.system.mu, dimension::pressure), "a positive pressure");
+    return;
+  }
   auto alpha = input.system.alpha ? input.system.alpha : otherwise.system.alpha;
   if (!alpha) table.refuse("mu", "a modulus of convention \"mu/alpha\" and no alpha", "alpha beside it");
   double modulus = true_modulus(*input.system.mu, *alpha, input.convention);
   if (!(modulus > 0))
-    table.refuse("alpha", "the true modulus mu alpha/2 = " + format_quantity(modulus, dimension::pressure),
-                 "an alpha that makes it positive");
+    table.refuse("mu", "a modulus that makes the true one, mu alpha/2, " + format_quantity(modulus, dimension::pressure),
+                 "mu and alpha of one sign");
   input.system.mu = modulus;
 }
 

@@ -25,7 +25,7 @@ double impact_parameter(const Shot& shot);
 // Columns of a table of shots; exactly one of radius and diameter is named.
 struct ShotColumns {
   std::string density = "density";
-  std::string radius;
+  std::string radius = "";
   std::string diameter = "diameter";
   std::string speed = "velocity";
   std::string depth = "penetration";

@@ -13,14 +13,29 @@ enum class Bottom { free, fixed };
 enum class Arithmetic { single_precision, double_precision };
 
 // --- volumetric stiffness: what the scene says about it ---------------------------------------------------------
-struct ChooseBulk {};                            // K at least 50 mu and a Mach number below 0.3
-struct PoissonRatio { double nu; };
-struct BulkToShear { double ratio; };            // K / mu_true
+// K at least 50 mu and a Mach number below 0.3.
+struct ChooseBulk {
+  bool operator==(const ChooseBulk&) const = default;
+};
+struct PoissonRatio {
+  double nu;
+  bool operator==(const PoissonRatio&) const = default;
+};
+struct BulkToShear {
+  double ratio;  // K / mu_true
+  bool operator==(const BulkToShear&) const = default;
+};
 using VolumetricChoice = std::variant<ChooseBulk, PoissonRatio, BulkToShear>;
 
 // --- erosion ----------------------------------------------------------------------------------------------------
-struct NoErosion {};
-struct StrainErosion { double limit; StrainMeasure measure = StrainMeasure::engineering; };
+struct NoErosion {
+  bool operator==(const NoErosion&) const = default;
+};
+struct StrainErosion {
+  double limit;  // of the largest principal strain, in `measure`
+  StrainMeasure measure = StrainMeasure::engineering;
+  bool operator==(const StrainErosion&) const = default;
+};
 using Erosion = std::variant<NoErosion, StrainErosion>;
 
 struct SphereScene {
@@ -29,6 +44,7 @@ struct SphereScene {
   double density = 0;  // kg/m3
   double speed = 0;    // m/s, straight down
   std::optional<double> youngs_modulus;  // Pa; only decides whether a rigid particle is good enough
+  bool operator==(const SphereScene&) const = default;
 };
 
 struct LayerScene {
@@ -42,6 +58,7 @@ struct LayerScene {
   double width = 0;          // m, radius of the fixed outer wall
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
+  bool operator==(const LayerScene&) const = default;
 };
 
 // The mesh: square elements of side radius/elements_per_radius within fine_width radii of the axis, then
@@ -50,6 +67,7 @@ struct MeshScene {
   int elements_per_radius = 10;
   double fine_width = 1.0;            // in particle radii
   std::optional<int> graded_columns;  // left out: half of the fine ones
+  bool operator==(const MeshScene&) const = default;
 };
 
 // Numerical settings: the defaults are docs/theory/impact.md's setting S.
@@ -61,10 +79,12 @@ struct SolverScene {
   double time_step_factor = 0.8;    // share of the stable step
   Arithmetic arithmetic = Arithmetic::single_precision;
   std::optional<double> end_time;   // s; left out: 1000 radii at impact speed
+  bool operator==(const SolverScene&) const = default;
 };
 
 struct OutputScene {
   bool history = false;  // the penetration history as CSV
+  bool operator==(const OutputScene&) const = default;
 };
 
 struct Scene {
@@ -75,6 +95,7 @@ struct Scene {
   SolverScene solver;
   OutputScene output;
   int replicates = 3;  // runs at speeds times 1, 1.001, 0.999, 1.002, ...
+  bool operator==(const Scene&) const = default;
 };
 
 }  // namespace percal

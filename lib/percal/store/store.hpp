@@ -11,6 +11,7 @@ struct StoredEvaluation {
   std::string outcome;      // "stopped", "passed through", ...: failures are stored as failures
   std::string payload;      // JSON text of the observation
   double cpu_seconds = 0;   // what it cost
+  bool operator==(const StoredEvaluation&) const = default;
 };
 
 // Safe to use from several threads of one process and from several processes on one machine. Not for network file systems.

@@ -17,8 +17,8 @@ std::string ranges(const std::vector<int>& lines) {
   for (std::size_t first = 0; first < lines.size();) {
     std::size_t last = first;
     while (last + 1 < lines.size() && lines[last + 1] <= lines[last] + 1) ++last;
-    text += (text.empty() ? "" : ", ") + std::to_string(lines[first]);
-    if (lines[last] != lines[first]) text += "-" + std::to_string(lines[last]);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", lines[first]);
+    if (lines[last] != lines[first]) text += fmt::format("-{}", lines[last]);
     first = last + 1;
   }
   return text;
@@ -38,7 +38,7 @@ std::string LineFaults::message() const {
       rest.push_back(sorted[i].line);
       continue;
     }
-    text += (text.empty() ? "" : "\n") + fmt::format("{}:{}: {}", file_, sorted[i].line, sorted[i].what);
+    text += fmt::format("{}{}:{}: {}", text.empty() ? "" : "\n", file_, sorted[i].line, sorted[i].what);
   }
   if (!rest.empty()) text += fmt::format("\n{}: also lines {}", file_, ranges(rest));
   return text;

@@ -20,7 +20,7 @@ struct Range {
   double high;
   bool low_open = false;
   bool high_open = false;
-  std::string words;
+  std::string words = {};
 };
 Range positive(const std::string& what = "number");      // (0, inf), "a positive WHAT"
 Range not_negative(const std::string& what = "number");  // [0, inf), "a WHAT not below zero"

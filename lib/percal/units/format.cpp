@@ -91,19 +91,19 @@ std::string units_of(const Dimension& dimension) {
   return kind ? kind->units : base_units(dimension);
 }
 
-std::string format_quantity(double value, const Dimension& dimension, int digits) {
+std::string format_quantity(double si_value, const Dimension& dimension, int digits) {
   const Kind* kind = find_kind(dimension);
-  if (!std::isfinite(value) || !kind) {
+  if (!std::isfinite(si_value) || !kind) {
     const std::string unit = base_units(dimension);
-    return fmt::format("{}{}{}", rounded(value, digits), unit.empty() ? "" : " ", unit);
+    return fmt::format("{}{}{}", rounded(si_value, digits), unit.empty() ? "" : " ", unit);
   }
   const auto steps = kind->steps;
   const Step* best = &steps.front();
   for (const auto& step : steps) {
-    const bool is_base = value == 0 && step.factor == 1;
-    if (is_base || std::abs(rounded(value / step.factor, digits)) >= 1) best = &step;
+    const bool is_base = si_value == 0 && step.factor == 1;
+    if (is_base || std::abs(rounded(si_value / step.factor, digits)) >= 1) best = &step;
   }
-  return fmt::format("{} {}", rounded(value / best->factor, digits), best->unit);
+  return fmt::format("{} {}", rounded(si_value / best->factor, digits), best->unit);
 }
 
 }  // namespace percal

@@ -1,0 +1,127 @@
+#include "percal/campaign/campaign.hpp"
+
+#include <time.h>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "percal/impact/kernel.hpp"
+#include "percal/impact/march.hpp"
+#include "percal/observe/result_json.hpp"
+
+namespace percal {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Evaluation run(const Problem& problem) {
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu = thread_cpu_seconds();
+  Evaluation evaluation{.result = run_impact(problem), .instruction_level = instruction_level()};
+  evaluation.cpu_seconds = thread_cpu_seconds() - cpu;
+  evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return evaluation;
+}
+
+}  // namespace
+
+struct Campaign::Books {
+  std::mutex mutex;
+  CampaignCost cost;
+};
+
+Campaign::Campaign(Store* store, int threads)
+    : store_(store),
+      threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      books_(std::make_shared<Books>()) {}
+
+Evaluation Campaign::evaluate(const Problem& problem) {
+  const std::string key = evaluation_key(problem, instruction_level());
+  if (store_ && std::holds_alternative<NoHistory>(problem.history)) {
+    if (const auto stored = store_->find(key)) {
+      Evaluation evaluation = from_payload(stored->payload);
+      const std::lock_guard lock(books_->mutex);
+      ++books_->cost.reused;
+      return evaluation;
+    }
+  }
+  Evaluation evaluation = run(problem);
+  if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
+  const std::lock_guard lock(books_->mutex);
+  ++books_->cost.runs;
+  books_->cost.cpu_seconds += evaluation.cpu_seconds;
+  return evaluation;
+}
+
+std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress) {
+  // Problems that are the same are evaluated once.
+  std::map<std::string, std::size_t> first_with_key;
+  std::vector<std::size_t> stands_for(problems.size()), distinct;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const auto [place, is_new] = first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()), i);
+    stands_for[i] = place->second;
+    if (is_new) distinct.push_back(i);
+  }
+  std::vector<Evaluation> results(problems.size());
+  side_by_side(static_cast<int>(distinct.size()), [&](int k) {
+    results[distinct[k]] = evaluate(problems[distinct[k]]);
+    if (progress) progress->add();
+  });
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    if (stands_for[i] != i) {
+      results[i] = results[stands_for[i]];
+      if (progress) progress->add();
+    }
+  return results;
+}
+
+std::vector<std::vector<Evaluation>> Campaign::replicate(const std::vector<Problem>& problems, int replicates, Progress* progress) {
+  std::vector<Problem> all;
+  for (const Problem& problem : problems)
+    for (int k = 0; k < replicates; ++k) {
+      all.push_back(problem);
+      all.back().speed_factor = replicate_speed_factor(k);
+    }
+  const auto flat = evaluate(all, progress);
+  std::vector<std::vector<Evaluation>> grouped(problems.size());
+  for (std::size_t i = 0; i < flat.size(); ++i) grouped[i / replicates].push_back(flat[i]);
+  return grouped;
+}
+
+void Campaign::side_by_side(int count, const std::function<void(int)>& work) const {
+  std::atomic<int> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto worker = [&] {
+    for (int k = next++; k < count; k = next++) {
+      try {
+        work(k);
+      } catch (...) {
+        next = count;
+        const std::lock_guard lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> helpers;
+  for (int t = 1; t < std::min(threads_, count); ++t) helpers.emplace_back(worker);
+  worker();
+  for (auto& helper : helpers) helper.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+CampaignCost Campaign::cost() const {
+  const std::lock_guard lock(books_->mutex);
+  return books_->cost;
+}
+
+}  // namespace percal

@@ -1,0 +1,49 @@
+// Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "percal/base/progress.hpp"
+#include "percal/observe/penetration.hpp"
+#include "percal/problem/problem.hpp"
+#include "percal/store/store.hpp"
+
+namespace percal {
+
+struct CampaignCost {
+  long runs = 0;         // done here
+  long reused = 0;       // taken from the store
+  double cpu_seconds = 0;  // of the runs done here
+};
+
+class Campaign {
+ public:
+  // A store that is null is not used. threads = 0: one for each core.
+  Campaign(Store* store, int threads);
+
+  // One problem, on the calling thread. Finished evaluations are in the store before this returns. A run with a history is
+  // never taken from the store, which keeps none.
+  Evaluation evaluate(const Problem& problem);
+
+  // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null.
+  std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress);
+
+  // The replicates of each problem: results[i] belongs to problems[i].
+  std::vector<std::vector<Evaluation>> replicate(const std::vector<Problem>& problems, int replicates, Progress* progress);
+
+  // work(0) ... work(count - 1), each on one of the threads. The first exception ends the rest and is thrown here.
+  void side_by_side(int count, const std::function<void(int)>& work) const;
+
+  CampaignCost cost() const;
+  int threads() const { return threads_; }
+
+ private:
+  struct Books;
+  Store* store_;
+  int threads_;
+  std::shared_ptr<Books> books_;
+};
+
+}  // namespace percal

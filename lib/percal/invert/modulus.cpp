@@ -1,0 +1,174 @@
+#include "percal/invert/modulus.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+
+namespace percal {
+namespace {
+
+constexpr double window = 0.5;          // answers within this of the root (in ln modulus) belong to the local line
+constexpr int fewest_in_line = 5;       // answers that the line must have, bracketing the root
+constexpr double expected_slope = 0.4;  // |d ln depth/d ln modulus|, before there are answers to tell
+
+struct EndOfSearch {
+  InversionOutcome outcome;
+};
+
+class Search {
+ public:
+  Search(const DepthOfModulus& forward, const InversionOptions& options) : forward_(forward), options_(options) {}
+
+  Inversion run() {
+    try {
+      const auto [soft, stiff] = bracket();
+      close_in(soft, stiff);
+      fit_line();
+      result_.outcome = InversionOutcome::found;
+    } catch (const EndOfSearch& end) {
+      result_.outcome = end.outcome;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // ln(depth / target): positive where the material is too soft.
+  double misfit(double log_modulus) {
+    for (const auto& point : result_.points)
+      if (point.log_modulus == log_modulus) return std::log(point.answer.depth / options_.target);
+    if (static_cast<int>(result_.points.size()) >= options_.most_evaluations) throw EndOfSearch{InversionOutcome::out_of_evaluations};
+    const DepthAnswer answer = forward_(log_modulus);
+    result_.points.push_back({log_modulus, answer});
+    if (!answer.valid || !(answer.depth > 0)) {
+      result_.why = answer.why;
+      throw EndOfSearch{InversionOutcome::failed};
+    }
+    return std::log(answer.depth / options_.target);
+  }
+
+  struct Bracket {
+    double soft, stiff;
+  };
+  Bracket bracket() {
+    double at = options_.start, value = misfit(at), step = options_.first_step;
+    for (;;) {
+      const double next = at + (value > 0 ? step : -step);
+      if (std::abs(next - options_.start) > options_.most_step) throw EndOfSearch{InversionOutcome::out_of_reach};
+      const double next_value = misfit(next);
+      if ((next_value > 0) != (value > 0)) return value > 0 ? Bracket{at, next} : Bracket{next, at};
+      at = next;
+      value = next_value;
+      step *= 1.5;
+    }
+  }
+
+  // GSL calls back from C, through which no exception may fly.
+  struct Callback {
+    Search* search;
+    std::exception_ptr failure;
+    static double call(double x, void* data) {
+      auto* self = static_cast<Callback*>(data);
+      if (self->failure) return 0;
+      try {
+        return self->search->misfit(x);
+      } catch (...) {
+        self->failure = std::current_exception();
+        return 0;
+      }
+    }
+  };
+
+  void close_in(double soft, double stiff) {
+    gsl_set_error_handler_off();
+    Callback callback{this, nullptr};
+    gsl_function function{&Callback::call, &callback};
+    const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
+        gsl_root_fsolver_alloc(gsl_root_fsolver_brent), &gsl_root_fsolver_free);
+    int status = gsl_root_fsolver_set(solver.get(), &function, soft, stiff);
+    const double narrow = options_.noise / expected_slope;
+    while (status == GSL_SUCCESS && !callback.failure) {
+      const double width = gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get());
+      if (std::abs(misfit(gsl_root_fsolver_root(solver.get()))) < options_.noise || width < narrow) return;
+      status = gsl_root_fsolver_iterate(solver.get());
+    }
+    if (callback.failure) std::rethrow_exception(callback.failure);
+  }
+
+  struct Line {
+    double slope, at_root, scatter, error;
+    int points;
+  };
+  // Least squares of ln depth on ln modulus over the uncensored answers near `centre`.
+  Line line_near(double centre) const {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    const auto counts = [&](const InversionPoint& p) { return !p.answer.censored && std::abs(p.log_modulus - centre) <= window; };
+    for (const auto& p : result_.points)
+      if (counts(p)) {
+        const double dx = p.log_modulus - centre, dy = std::log(p.answer.depth / options_.target);
+        n += 1; x += dx; y += dy; xx += dx * dx; xy += dx * dy;
+      }
+    const double spread = xx - x * x / n;
+    Line line{-expected_slope, centre, options_.noise, 0, static_cast<int>(n)};
+    if (n >= 2 && spread > 1e-6) line.slope = (xy - x * y / n) / spread;
+    if (!(line.slope < -0.05)) line.slope = -expected_slope;  // noise over too short a span: the depth does fall with stiffness
+    const double level = y / n - line.slope * x / n;
+    line.at_root = centre - level / line.slope;
+    double squares = 0;
+    for (const auto& p : result_.points)
+      if (counts(p)) {
+        const double residual = std::log(p.answer.depth / options_.target) - level - line.slope * (p.log_modulus - centre);
+        squares += residual * residual;
+      }
+    if (n > 2) line.scatter = std::max(options_.noise, std::sqrt(squares / (n - 2)));
+    const double off = line.at_root - centre - x / n;
+    line.error = line.scatter / std::abs(line.slope) * std::sqrt(1 / n + (spread > 1e-6 ? off * off / spread : 0));
+    return line;
+  }
+
+  void fit_line() {
+    double centre = best_answer();
+    // A few more answers on both sides, where Brent's method came down on one point.
+    for (const double side : {-0.12, 0.12, -0.24, 0.24})
+      if (line_near(centre).points < fewest_in_line && static_cast<int>(result_.points.size()) < options_.most_evaluations)
+        misfit(centre + side);
+    Line line{};
+    for (int k = 0; k < 5; ++k) {
+      line = line_near(centre);
+      centre = std::clamp(line.at_root, centre - window / 2, centre + window / 2);
+    }
+    result_.log_modulus = line.at_root;
+    result_.log_modulus_error = line.error;
+    result_.slope = line.slope;
+    result_.scatter = line.scatter;
+  }
+
+  double best_answer() const {
+    const auto distance = [&](const InversionPoint& p) { return std::abs(std::log(p.answer.depth / options_.target)) + (p.answer.censored ? 1e3 : 0); };
+    return std::min_element(result_.points.begin(), result_.points.end(),
+                            [&](const auto& a, const auto& b) { return distance(a) < distance(b); })->log_modulus;
+  }
+
+  const DepthOfModulus& forward_;
+  const InversionOptions& options_;
+  Inversion result_;
+};
+
+}  // namespace
+
+std::string word(InversionOutcome outcome) {
+  switch (outcome) {
+    case InversionOutcome::found: return "found";
+    case InversionOutcome::out_of_reach: return "out of reach";
+    case InversionOutcome::failed: return "failed";
+    case InversionOutcome::out_of_evaluations: break;
+  }
+  return "out of evaluations";
+}
+
+Inversion invert_modulus(const DepthOfModulus& forward, const InversionOptions& options) { return Search(forward, options).run(); }
+
+}  // namespace percal

@@ -1,0 +1,53 @@
+// The modulus at which the depth is the measured one: one dimension, noisy, monotonic on the whole.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace percal {
+
+// A forward model's answer. `censored`: the depth is at least this (the particle passed through). Not `valid`: the model could
+// not answer; `why` says the outcome.
+struct DepthAnswer {
+  double depth = 0;
+  bool censored = false;
+  bool valid = true;
+  std::string why;
+};
+using DepthOfModulus = std::function<DepthAnswer(double log_modulus)>;
+
+struct InversionOptions {
+  double target = 0;        // depth, in the forward model's units
+  double start = 0;         // ln of a first guess of the modulus
+  double noise = 0.015;     // relative standard deviation of one answer, where the answers don't show a larger one
+  double first_step = 0.3;  // of ln modulus, when looking for the other side of the target
+  double most_step = 6;     // how far from the start to look
+  int most_evaluations = 24;
+};
+
+struct InversionPoint {
+  double log_modulus;
+  DepthAnswer answer;
+};
+
+// found: the target lies between two answers. out_of_reach: no answer on one side of it within most_step. failed: an answer
+// was not valid. out_of_evaluations: not settled in time.
+enum class InversionOutcome { found, out_of_reach, failed, out_of_evaluations };
+std::string word(InversionOutcome outcome);
+
+struct Inversion {
+  InversionOutcome outcome = InversionOutcome::failed;
+  std::string why;
+  double log_modulus = 0;        // where the local line through the answers meets the target
+  double log_modulus_error = 0;  // standard error: the scatter of the answers about that line, over its slope
+  double slope = 0;              // d ln depth / d ln modulus there
+  double scatter = 0;            // relative scatter of one answer about the line
+  std::vector<InversionPoint> points;  // in the order of evaluation
+};
+
+// Brackets the target, closes in by Brent's method (GSL) until the answer differs from the target by less than the noise or the
+// bracket is narrower than the noise allows, then fits ln depth = line in ln modulus to the answers near by; the root of that
+// line uses all of them and carries their scatter. A deeper answer belongs to a softer material.
+Inversion invert_modulus(const DepthOfModulus& forward, const InversionOptions& options);
+
+}  // namespace percal

@@ -1,0 +1,67 @@
+#include "percal/observe/penetration.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percal {
+namespace {
+
+EnergyLedger mean_energy(const std::vector<Evaluation>& replicates) {
+  EnergyLedger mean;
+  for (double EnergyLedger::*share : {&EnergyLedger::particle, &EnergyLedger::live_kinetic, &EnergyLedger::freed_mass,
+                                      &EnergyLedger::elastic, &EnergyLedger::hourglass, &EnergyLedger::viscosity,
+                                      &EnergyLedger::eroded, &EnergyLedger::contact, &EnergyLedger::contact_dropped})
+    for (const auto& run : replicates) mean.*share += run.result.energy.*share / static_cast<double>(replicates.size());
+  return mean;
+}
+
+}  // namespace
+
+Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales) {
+  Penetration p;
+  p.outcome = replicates.front().result.outcome;
+  const auto n = static_cast<double>(replicates.size());
+  for (const auto& run : replicates) {
+    p.outcomes.push_back(run.result.outcome);
+    p.depths.push_back(run.result.depth * scales.radius);
+    p.mixed |= run.result.outcome != p.outcomes.front();
+    if (p.outcome == Outcome::stopped) p.outcome = run.result.outcome;
+    if (run.result.outcome == Outcome::passed_through) p.at_least = problem.depth * scales.radius;
+    p.worst_closure = std::max(p.worst_closure, std::abs(run.result.energy.closure()));
+  }
+  p.energy = mean_energy(replicates);
+  if (p.outcome != Outcome::stopped) return p;
+  double sum = 0, squares = 0;
+  for (const double depth : p.depths) sum += depth;
+  p.depth = sum / n;
+  if (replicates.size() > 1) {
+    for (const double depth : p.depths) squares += (depth - *p.depth) * (depth - *p.depth);
+    p.spread = std::sqrt(squares / (n - 1));
+    p.standard_error = *p.spread / std::sqrt(n);
+  }
+  return p;
+}
+
+std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates) {
+  std::vector<std::string> lines;
+  if (penetration.mixed) {
+    std::string list;
+    for (const Outcome outcome : penetration.outcomes) list += (list.empty() ? "" : ", ") + word(outcome);
+    lines.push_back("the replicates ended differently (" + list + "): their depths are not averaged");
+  }
+  const double loss = penetration.energy.numerical_loss();
+  if (loss > tolerated_numerical_loss)
+    lines.push_back(fmt::format("contact springs dropped at erosion ({:.0f} %) and bulk viscosity ({:.0f} %) take more than a quarter "
+                                "of the impact energy: a finer mesh lowers the first",
+                                100 * penetration.energy.contact_dropped, 100 * penetration.energy.viscosity));
+  for (const auto& run : replicates) {
+    if (run.result.outcome == Outcome::unstable) lines.push_back("unstable: " + run.result.reason);
+    if (run.result.distorted > 0)
+      lines.push_back(fmt::format("{} elements were taken out because they were distorted, not by their strain", run.result.distorted));
+  }
+  return lines;
+}
+
+}  // namespace percal

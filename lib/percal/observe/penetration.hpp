@@ -1,0 +1,46 @@
+// What the replicates of one impact say together, in SI.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/impact/result.hpp"
+#include "percal/problem/problem.hpp"
+
+namespace percal {
+
+// One run with what it cost.
+struct Evaluation {
+  ImpactResult result;
+  std::string instruction_level;
+  double wall_seconds = 0;
+  double cpu_seconds = 0;
+  bool reused = false;  // taken from the store
+};
+
+// The replicates of one problem. Depths are averaged only where every run stopped: outcomes of different kinds are never
+// mixed into one number.
+struct Penetration {
+  Outcome outcome = Outcome::unstable;  // the common one; where they differ, the first that is not `stopped`
+  bool mixed = false;
+  std::vector<Outcome> outcomes;
+  std::optional<double> depth;         // m, mean
+  std::optional<double> spread;        // m, sample standard deviation; needs two runs
+  std::optional<double> standard_error;  // m, spread / sqrt(runs)
+  std::optional<double> at_least;      // m: the layer's depth, where a run passed through it
+  std::vector<double> depths;          // m, of each run, deepest tip position whatever the outcome
+  EnergyLedger energy;                 // mean over the runs
+  double worst_closure = 0;            // largest |energy closure|
+};
+
+Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales);
+
+// Warnings that a reader of the depth needs: springs and viscosity take more than a quarter of the energy, mixed outcomes,
+// distorted elements.
+std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates);
+
+// Springs dropped at erosion and viscosity together take a share of the impact energy that nobody asked for; above this the
+// summary says so.
+inline constexpr double tolerated_numerical_loss = 0.25;
+
+}  // namespace percal

@@ -1,0 +1,102 @@
+#include "percal/observe/result_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+namespace percal {
+namespace {
+
+using Json = nlohmann::json;
+
+// Every term of the ledger with its key.
+constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 9> terms{
+    {{"particle", &EnergyLedger::particle},
+     {"live_kinetic", &EnergyLedger::live_kinetic},
+     {"freed_mass", &EnergyLedger::freed_mass},
+     {"elastic", &EnergyLedger::elastic},
+     {"hourglass", &EnergyLedger::hourglass},
+     {"viscosity", &EnergyLedger::viscosity},
+     {"eroded", &EnergyLedger::eroded},
+     {"contact", &EnergyLedger::contact},
+     {"contact_dropped", &EnergyLedger::contact_dropped}}};
+
+// JSON has no NaN; an unstable run may end with one.
+Json finite(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+double number(const Json& value) { return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(); }
+
+}  // namespace
+
+Json energy_to_json(const EnergyLedger& energy) {
+  Json json;
+  for (const auto& [key, term] : terms) json[key] = finite(energy.*term);
+  json["sum"] = finite(energy.sum());
+  return json;
+}
+
+std::string to_payload(const Evaluation& evaluation) {
+  const ImpactResult& r = evaluation.result;
+  return Json{{"outcome", word(r.outcome)},
+              {"reason", r.reason},
+              {"depth", finite(r.depth)},
+              {"end_time", finite(r.end_time)},
+              {"end_speed", finite(r.end_speed)},
+              {"elements", r.elements},
+              {"steps", r.steps},
+              {"element_steps", r.element_steps},
+              {"eroded", r.eroded},
+              {"distorted", r.distorted},
+              {"smallest_jacobian", finite(r.smallest_jacobian)},
+              {"smallest_step", finite(r.smallest_step)},
+              {"largest_gap", finite(r.largest_gap)},
+              {"energy", energy_to_json(r.energy)},
+              {"level", evaluation.instruction_level},
+              {"wall_s", evaluation.wall_seconds},
+              {"cpu_s", evaluation.cpu_seconds}}
+      .dump();
+}
+
+Evaluation from_payload(const std::string& payload) {
+  Evaluation evaluation;
+  try {
+    const Json json = Json::parse(payload);
+    ImpactResult& r = evaluation.result;
+    r.outcome = outcome_from(json.at("outcome").get<std::string>());
+    r.reason = json.at("reason").get<std::string>();
+    r.depth = number(json.at("depth"));
+    r.end_time = number(json.at("end_time"));
+    r.end_speed = number(json.at("end_speed"));
+    r.elements = json.at("elements").get<long>();
+    r.steps = json.at("steps").get<long>();
+    r.element_steps = json.at("element_steps").get<double>();
+    r.eroded = json.at("eroded").get<long>();
+    r.distorted = json.at("distorted").get<long>();
+    r.smallest_jacobian = number(json.at("smallest_jacobian"));
+    r.smallest_step = number(json.at("smallest_step"));
+    r.largest_gap = number(json.at("largest_gap"));
+    for (const auto& [key, term] : terms) r.energy.*term = number(json.at("energy").at(key));
+    evaluation.instruction_level = json.at("level").get<std::string>();
+    evaluation.wall_seconds = json.at("wall_s").get<double>();
+    evaluation.cpu_seconds = json.at("cpu_s").get<double>();
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(std::string("not a stored impact: ") + error.what());
+  }
+  evaluation.reused = true;
+  return evaluation;
+}
+
+std::string history_csv(const std::vector<HistoryPoint>& history, const Scales& scales) {
+  // Forces inside are per radian and in units of rho_t v^2 a^2.
+  const double force = 2 * std::numbers::pi * scales.target_density * scales.speed * scales.speed * scales.radius * scales.radius;
+  const double time = scales.radius / scales.speed;
+  std::string csv = "time_s,tip_m,speed_m_s,force_N\n";
+  for (const auto& point : history)
+    csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", point.time * time, point.tip * scales.radius, point.speed * scales.speed,
+                       point.force * force);
+  return csv;
+}
+
+}  // namespace percal

@@ -1,0 +1,21 @@
+// Scenes as TOML text. Every key with its unit, range and default: docs/formats/scene.md.
+#pragma once
+#include <string>
+
+#include "percal/scene/scene.hpp"
+#include "percal/text/toml.hpp"
+
+namespace percal {
+
+// Throws BadInput: missing file, malformed TOML, unknown keys, wrong units, values that make no sense together.
+Scene read_scene(const std::string& path);
+Scene parse_scene(const std::string& text, const std::string& name);
+
+// The scene that a table holds, so that a job can embed one. The caller finishes the table (TomlTable::finish).
+Scene scene_from(const TomlTable& table);
+
+// Text that parse_scene reads as the same scene bit for bit (but for `source`): every setting written out, in SI.
+// `comment` stands at the top, each of its lines behind "# "; it may be empty.
+std::string scene_to_toml(const Scene& scene, const std::string& comment);
+
+}  // namespace percal
