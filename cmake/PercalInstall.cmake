@@ -17,7 +17,8 @@ install(DIRECTORY lib/percal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCH
 install(DIRECTORY data DESTINATION ${CMAKE_INSTALL_DATADIR}/percal
         PATTERN "*.out" EXCLUDE PATTERN "*.store*" EXCLUDE)
 
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/percalConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/percalConfig.cmake
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/percalConfig.cmake.in
+                              ${CMAKE_CURRENT_BINARY_DIR}/percalConfig.cmake
                               INSTALL_DESTINATION ${PERCAL_PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/percalConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/percalConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/percalConfigVersion.cmake

@@ -1,10 +1,8 @@
 // percal fit FILE...: stress-stretch curves -> mu and alpha, every minimum.
-#include "percal/fit/fit_ogden.hpp"
-
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -14,6 +12,7 @@
 #include "commands.hpp"
 #include "percal/base/version.hpp"
 #include "percal/fit/fit_json.hpp"
+#include "percal/fit/fit_ogden.hpp"
 #include "percal/fit/read_curves.hpp"
 #include "percal/text/file.hpp"
 
@@ -83,11 +82,12 @@ std::string minima_as_table(const OgdenFit& fit) {
   for (const auto& minimum : fit.minima) {
     auto mu_error = minimum.mu_standard_error;
     if (mu_error) *mu_error /= unit.size;
-    text += fmt::format(row, ++rank, with_error(minimum.solid.mu / unit.size, mu_error),
-                        with_error(minimum.solid.alpha, minimum.alpha_standard_error), or_dash(minimum.correlation, "{:.4f}"),
-                        or_dash(minimum.r2, "{:.6f}"), fmt::format("{:.6g}", minimum.objective),
-                        minimum.above_best ? fmt::format("{:.3g} %", 100 * *minimum.above_best) : "-",
-                        std::string(minimum.at_bound ? "  at the bound" : "") + (minimum.converged ? "" : "  not converged"));
+    text += fmt::format(
+        row, ++rank, with_error(minimum.solid.mu / unit.size, mu_error),
+        with_error(minimum.solid.alpha, minimum.alpha_standard_error), or_dash(minimum.correlation, "{:.4f}"),
+        or_dash(minimum.r2, "{:.6f}"), fmt::format("{:.6g}", minimum.objective),
+        minimum.above_best ? fmt::format("{:.3g} %", 100 * *minimum.above_best) : "-",
+        std::string(minimum.at_bound ? "  at the bound" : "") + (minimum.converged ? "" : "  not converged"));
   }
   return text;
 }
@@ -95,9 +95,10 @@ std::string minima_as_table(const OgdenFit& fit) {
 std::string fit_as_text(const OgdenFit& fit, const CurveData& data) {
   std::string text = sources_as_text(data) + fmt::format("{} points used: {}", fit.points, modes_as_text(fit));
   if (fit.residual == Residual::relative) text += fmt::format("; {} of zero stress left out", fit.left_out_zero_stress);
-  text += fmt::format("\n{} residuals; alpha searched from {:g} to {:g}\n", word(fit.residual), -largest_alpha, largest_alpha);
-  if (!fit.minima.empty()) text += "\n" + minima_as_table(fit);
-  for (const auto& sentence : findings(fit)) text += "\n" + sentence + "\n";
+  text += fmt::format("\n{} residuals; alpha searched from {:g} to {:g}\n", word(fit.residual), -largest_alpha,
+                      largest_alpha);
+  if (!fit.minima.empty()) text += fmt::format("\n{}", minima_as_table(fit));
+  for (const auto& sentence : findings(fit)) text += fmt::format("\n{}\n", sentence);
   return text;
 }
 
@@ -117,8 +118,8 @@ std::string written(const json& result) { return result.dump(2, ' ', false, json
 
 Exit run_fit(const FitArguments& arguments, const Common& common) {
   const Clock clock;
-  const CurveData data =
-      read_curves(arguments.files, {.mode = arguments.mode, .x = arguments.x, .y = arguments.y, .where = arguments.where});
+  const CurveData data = read_curves(
+      arguments.files, {.mode = arguments.mode, .x = arguments.x, .y = arguments.y, .where = arguments.where});
   if (common.check) {
     json result = head(arguments);
     result["sources"] = to_json(data);

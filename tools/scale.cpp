@@ -18,7 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double default_tolerance = 0.01;  // of a group, where the job says none: the last digit of most printed values
+// Of a group's agreement where the job says none: about the last digit of most printed values.
+constexpr double default_tolerance = 0.01;
 
 struct ScaleJob {
   std::string file;
@@ -66,7 +67,8 @@ Scene similar_scene(const Scene& prototype_scene, const System& prototype, const
   scene.particle.youngs_modulus = model.particle_modulus;
   scene.target.name = model.target;
   scene.target.density = required(model, &System::target_density);
-  scene.target.mu_as_given = modulus_as_given(required(model, &System::mu), scene.target.alpha, scene.target.convention);
+  scene.target.mu_as_given =
+      modulus_as_given(required(model, &System::mu), scene.target.alpha, scene.target.convention);
   scene.target.depth = required(model, &System::depth);
   scene.target.width = required(model, &System::width);
   if (scene.solver.end_time) scene.solver.end_time = map_time(*scene.solver.end_time, prototype, model);
@@ -97,8 +99,8 @@ ScaleJob read_job(const ScaleArguments& arguments) {
     throw BadInput({arguments.job, 0, "prototype.scene"}, "no scene to scale",
                    "prototype.scene = \"FILE.toml\" where a similar scene is to be written");
   if (!job.output_scene.empty() && job.model.system.erosion_strain && !job.prototype.system.erosion_strain)
-    throw BadInput({arguments.job, 0, "model.erosion_strain"}, "an erosion strain where the prototype's scene has no erosion",
-                   "none, or a prototype with erosion");
+    throw BadInput({arguments.job, 0, "model.erosion_strain"},
+                   "an erosion strain where the prototype's scene has no erosion", "none, or a prototype with erosion");
   root.finish();
   return job;
 }
@@ -125,8 +127,8 @@ std::string moduli(const System& system, ModulusConvention convention) {
   if (!system.mu) return "-";
   auto text = format_quantity(*system.mu, dimension::pressure) + " true";
   if (convention != ModulusConvention::true_shear && system.alpha)
-    text = format_quantity(modulus_as_given(*system.mu, *system.alpha, convention), dimension::pressure) + " as given (" +
-           word(convention) + "), " + text;
+    text = format_quantity(modulus_as_given(*system.mu, *system.alpha, convention), dimension::pressure) +
+           " as given (" + word(convention) + "), " + text;
   return text;
 }
 
@@ -134,10 +136,11 @@ std::string report(const ScaleJob& job, const Completion& completion, const std:
   const auto& prototype = job.prototype.system;
   const auto& model = completion.model;
   auto text = fmt::format("prototype: {}\nmodel:     {}\n\n", title(prototype), title(model));
-  text += fmt::format("{:<5} {:<15} {:<31} {:>12} {:>12} {:>10}\n", "group", "formula", "meaning", "prototype", "model", "difference");
+  text += fmt::format("{:<5} {:<15} {:<31} {:>12} {:>12} {:>10}\n", "group", "formula", "meaning", "prototype", "model",
+                      "difference");
   for (const auto& one : comparisons)
-    text += fmt::format("{:<5} {:<15} {:<31} {:>12} {:>12} {:>10}  {}\n", one.group->symbol, one.group->formula, one.group->name,
-                        shown(one.prototype), shown(one.model),
+    text += fmt::format("{:<5} {:<15} {:<31} {:>12} {:>12} {:>10}  {}\n", one.group->symbol, one.group->formula,
+                        one.group->name, shown(one.prototype), shown(one.model),
                         one.difference ? fmt::format("{:.3g} %", 100 * *one.difference) : "-", verdict(one));
   text += fmt::format("(agree: within {:g} %)\n", 100 * job.tolerance);
 
@@ -149,14 +152,17 @@ std::string report(const ScaleJob& job, const Completion& completion, const std:
   for (const auto& conflict : completion.conflicts) text += "  " + describe(conflict) + "\n";
   for (const auto& gap : completion.gaps) text += "  " + describe(gap) + "\n";
 
-  text += fmt::format("\nshear modulus: prototype {}\n               model     {}\n", moduli(prototype, job.prototype.convention),
-                      moduli(model, job.model.convention));
-  if (prototype.mu && model.mu) text += fmt::format("               model over prototype {:.6g}\n", *model.mu / *prototype.mu);
+  text += fmt::format("\nshear modulus: prototype {}\n               model     {}\n",
+                      moduli(prototype, job.prototype.convention), moduli(model, job.model.convention));
+  if (prototype.mu && model.mu)
+    text += fmt::format("               model over prototype {:.6g}\n", *model.mu / *prototype.mu);
   auto compliances = std::pair(particle_compliance(prototype), particle_compliance(model));
   if (compliances.first || compliances.second)
-    text += fmt::format("(rho_t v^2 + 10 mu)/E: prototype {}, model {}; where it is small the particle is rigid and pi3 has no effect\n",
-                        compliances.first ? fmt::format("{:.2g}", *compliances.first) : "-",
-                        compliances.second ? fmt::format("{:.2g}", *compliances.second) : "-");
+    text += fmt::format(
+        "(rho_t v^2 + 10 mu)/E: prototype {}, model {}; where it is small the particle is rigid and pi3 has no "
+        "effect\n",
+        compliances.first ? fmt::format("{:.2g}", *compliances.first) : "-",
+        compliances.second ? fmt::format("{:.2g}", *compliances.second) : "-");
   return text;
 }
 
@@ -171,7 +177,8 @@ json as_json(const System& system, ModulusConvention convention) {
   json result = {{"particle", system.particle}, {"target", system.target}, {"convention", word(convention)}};
   for (const auto& quantity : system_quantities()) result[json_key(quantity)] = number_or_null(system.*quantity.member);
   bool known = system.mu && (convention == ModulusConvention::true_shear || system.alpha);
-  result["mu_as_given_Pa"] = known ? json(modulus_as_given(*system.mu, system.alpha.value_or(1), convention)) : json(nullptr);
+  result["mu_as_given_Pa"] =
+      known ? json(modulus_as_given(*system.mu, system.alpha.value_or(1), convention)) : json(nullptr);
   return result;
 }
 
@@ -211,8 +218,10 @@ json as_json(const ScaleJob& job, const Completion& completion, const std::vecto
 std::string scene_comment(const ScaleJob& job, const Completion& completion) {
   return fmt::format(
       "{} made similar to {} ({}).\n"
-      "Written by percal scale; every group that decides the run is equal in both, so both are one dimensionless problem.",
-      title(completion.model), title(job.prototype.system), std::filesystem::path(job.prototype_scene->source).filename().string());
+      "Written by percal scale; every group that decides the run is equal in both, so both are one dimensionless "
+      "problem.",
+      title(completion.model), title(job.prototype.system),
+      std::filesystem::path(job.prototype_scene->source).filename().string());
 }
 
 }  // namespace
@@ -226,9 +235,11 @@ Exit run_scale(const ScaleArguments& arguments, const Common& common) {
   auto comparisons = compare(job.prototype.system, completion.model, job.tolerance);
   auto result = as_json(job, completion, comparisons);
   if (!job.output_scene.empty())
-    write_file(job.output_scene, scene_to_toml(similar_scene(*job.prototype_scene, job.prototype.system, completion.model),
-                                               scene_comment(job, completion)));
-  if (!common.out.empty()) write_file((std::filesystem::path(common.out) / "result.json").string(), result.dump(2) + "\n");
+    write_file(job.output_scene,
+               scene_to_toml(similar_scene(*job.prototype_scene, job.prototype.system, completion.model),
+                             scene_comment(job, completion)));
+  if (!common.out.empty())
+    write_file((std::filesystem::path(common.out) / "result.json").string(), result.dump(2) + "\n");
   if (common.json) {
     fmt::print("{}\n", result.dump(2));
   } else if (!common.quiet) {

@@ -88,6 +88,7 @@ TEST(CardJson, SaysWhatAResultWithoutACardLacks) {
   EXPECT_THAT(refused(R"({"minima": [{"mu_Pa": 1, "alpha": 2}]})"),
               AllOf(HasSubstr("percal fit"), HasSubstr("density")));
   EXPECT_THAT(refused("{}"), HasSubstr("card object"));
+  EXPECT_THAT(refused(R"({"card": null})"), HasSubstr("card object"));
   EXPECT_THAT(refused("[1]"), HasSubstr("card object"));
   EXPECT_THAT(refused("{\n\"a\": 1,\n oops"), HasSubstr("result.json:3"));
   EXPECT_THAT(refused(""), HasSubstr("not JSON"));

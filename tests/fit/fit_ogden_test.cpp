@@ -20,7 +20,8 @@ CurveData treloar(const std::string& mode) {
 CurveData made_with(const Ogden& solid, Deformation deformation) {
   CurveData data;
   for (const double amount : {0.8, 0.9, 0.97, 1.05, 1.2, 1.35, 1.5}) {
-    const Strained strained{deformation, deformation == Deformation::simple_shear ? amount - 0.7 : amount, 1.3 - 0.2 * amount};
+    const Strained strained{deformation, deformation == Deformation::simple_shear ? amount - 0.7 : amount,
+                            1.3 - 0.2 * amount};
     data.points.push_back({strained, nominal_stress(solid, strained)});
   }
   return data;
@@ -37,7 +38,8 @@ double sum_of_squares(const CurveData& data, const Ogden& solid, Residual residu
 }
 
 TEST(FitOgden, TheTruthIsRecoveredForBothSignsAndEveryMode) {
-  for (const auto deformation : {Deformation::uniaxial, Deformation::equibiaxial, Deformation::biaxial, Deformation::planar_held})
+  for (const auto deformation :
+       {Deformation::uniaxial, Deformation::equibiaxial, Deformation::biaxial, Deformation::planar_held})
     for (const double alpha : {-30.0, -9.0, -2.0, -0.5, 0.3, 1.0, 2.0, 14.0, 35.0})
       for (const auto residual : {Residual::relative, Residual::absolute}) {
         const Ogden truth{.mu = 12345, .alpha = alpha};
@@ -71,7 +73,8 @@ TEST(FitOgden, EveryMinimumIsStationaryAndNoNeighbourIsLower) {
         EXPECT_NEAR(minimum.objective, sum_of_squares(data, minimum.solid, residual), 1e-9 * minimum.objective);
         for (const double factor : {0.999, 1.001})
           for (const double shift : {-0.01, 0.0, 0.01})
-            EXPECT_LT(minimum.objective, sum_of_squares(data, {minimum.solid.mu * factor, minimum.solid.alpha + shift}, residual));
+            EXPECT_LT(minimum.objective,
+                      sum_of_squares(data, {minimum.solid.mu * factor, minimum.solid.alpha + shift}, residual));
       }
     }
 }
@@ -85,7 +88,8 @@ TEST(FitOgden, StandardErrorsAreThoseOfTheLinearisedModel) {
   for (const auto& [strained, stress] : data.points) {
     const double by_mu = nominal_stress(Ogden{1, best.solid.alpha}, strained) / stress;
     const double by_alpha = (nominal_stress(Ogden{best.solid.mu, best.solid.alpha + 1e-4}, strained) -
-                             nominal_stress(Ogden{best.solid.mu, best.solid.alpha - 1e-4}, strained)) / 2e-4 / stress;
+                             nominal_stress(Ogden{best.solid.mu, best.solid.alpha - 1e-4}, strained)) /
+                            2e-4 / stress;
     a += by_mu * by_mu, b += by_mu * by_alpha, c += by_alpha * by_alpha;
   }
   const double variance = best.objective / (static_cast<double>(data.points.size()) - 2), determinant = a * c - b * b;
@@ -129,7 +133,8 @@ TEST(FitOgden, PlanarTensionAndShearDoNotTellTheSign) {
     EXPECT_NEAR(fit.minima[0].solid.alpha, 8, 1e-6);
     EXPECT_NEAR(fit.minima[1].solid.alpha, -8, 1e-6);
   }
-  EXPECT_THAT(findings(fit_ogden(made_with({1000, 8}, Deformation::planar), Residual::absolute))[0], HasSubstr("do not tell the sign"));
+  EXPECT_THAT(findings(fit_ogden(made_with({1000, 8}, Deformation::planar), Residual::absolute))[0],
+              HasSubstr("do not tell the sign"));
   auto noisy = made_with({1000, 8}, Deformation::planar);
   for (std::size_t i = 0; i < noisy.points.size(); ++i) noisy.points[i].nominal_stress *= i % 2 ? 1.02 : 0.98;
   EXPECT_THAT(findings(fit_ogden(noisy, Residual::relative))[0], HasSubstr("do not tell the sign"));
@@ -161,7 +166,8 @@ TEST(FitOgden, StressesOfTheWrongSignHaveNoMinimum) {
 TEST(FitOgden, PointsThatCannotHoldTwoParametersAreRefused) {
   CurveData data;
   EXPECT_THROW(fit_ogden(data, Residual::relative), BadInput);
-  data.points = {{{Deformation::uniaxial, 1.5}, 10}, {{Deformation::uniaxial, 1.5}, 11}, {{Deformation::uniaxial, 1}, 1}};
+  data.points = {
+      {{Deformation::uniaxial, 1.5}, 10}, {{Deformation::uniaxial, 1.5}, 11}, {{Deformation::uniaxial, 1}, 1}};
   EXPECT_THROW(fit_ogden(data, Residual::relative), BadInput);
   data.points = {{{Deformation::uniaxial, 1.5}, 0}, {{Deformation::uniaxial, 1.6}, 0}};
   EXPECT_THROW(fit_ogden(data, Residual::absolute), BadInput);

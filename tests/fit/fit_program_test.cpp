@@ -25,8 +25,9 @@ struct Ended {
 
 class FitProgram : public testing::Test {
  protected:
-  FitProgram() : folder_(fs::temp_directory_path() / ("percal_fit_" + std::to_string(::getpid()) + "_" +
-                                                      testing::UnitTest::GetInstance()->current_test_info()->name())) {
+  FitProgram()
+      : folder_(fs::temp_directory_path() / ("percal_fit_" + std::to_string(::getpid()) + "_" +
+                                             testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::create_directories(folder_);
   }
   ~FitProgram() override { fs::remove_all(folder_); }
@@ -39,7 +40,8 @@ class FitProgram : public testing::Test {
   }
   Ended fit(const std::string& arguments) const {
     const auto out = folder_ / "stdout", err = folder_ / "stderr";
-    const std::string command = std::string("'") + PERCAL_PROGRAM + "' fit " + arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const std::string command =
+        std::string("'") + PERCAL_PROGRAM + "' fit " + arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
   }
@@ -88,7 +90,8 @@ TEST_F(FitProgram, EveryPublicFileOfCurvesIsFitted) {
   EXPECT_EQ(points(public_file("meunier2008_silicone_modes.csv")), 66);
   EXPECT_EQ(points(public_file("stpierre2023_meat_tension_compression_shear.csv") + " --where material_label=ac"), 78);
   EXPECT_EQ(points(public_file("stpierre2023_meat_tension_compression_shear.csv")), 890);
-  EXPECT_EQ(points(public_file("budday2017_brain_cann_table.csv") + " --where region=cortex --where mode=simple_shear"), 33);
+  EXPECT_EQ(points(public_file("budday2017_brain_cann_table.csv") + " --where region=cortex --where mode=simple_shear"),
+            33);
   const std::string skin = public_file("tac2022_porcine_skin_biaxial.csv") + " --x stretch_x --y cauchy_xx_MPa";
   EXPECT_EQ(points(skin + " --where protocol=equibiaxial --mode equibiaxial"), 81);
   EXPECT_EQ(points(skin + " --where 'protocol=strip_x (stretch_y=1)' --mode planar"), 101);
@@ -132,6 +135,9 @@ TEST_F(FitProgram, AnUnwritableFolderIsExitFour) {
   const Ended run = fit(treloar + " --out '" + (folder_ / "file" / "out").string() + "'");
   EXPECT_EQ(run.code, 4);
   EXPECT_EQ(run.out, "");
+  // Found before the fit, which would refuse a single point.
+  const std::string single = made("single.csv", "stretch,stress_kPa\n1.5,3\n");
+  EXPECT_EQ(fit(single + " --mode UT --out '" + (folder_ / "file" / "out").string() + "'").code, 4);
 }
 
 TEST_F(FitProgram, AFullDiskIsExitFour) {
@@ -162,7 +168,8 @@ TEST_F(FitProgram, QuietPrintsNothing) {
 TEST_F(FitProgram, TheTableShowsBothMinimaAndSaysTheSignIsOpen) {
   const Ended run = fit(treloar + " --where mode=UT --residual absolute");
   EXPECT_EQ(run.code, 0);
-  for (const char* part : {"-7.785", "3.901", "0.555 %", "negative alpha", "24 points used", "±"}) EXPECT_THAT(run.out, HasSubstr(part));
+  for (const char* part : {"-7.785", "3.901", "0.555 %", "negative alpha", "24 points used", "±"})
+    EXPECT_THAT(run.out, HasSubstr(part));
 }
 
 TEST_F(FitProgram, NoPositiveModulusIsANamedOutcome) {

@@ -11,7 +11,9 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-CurveData curves(const std::string& text, const CurveColumns& columns = {}) { return curves_of(parse_csv(text, "c.csv"), columns); }
+CurveData curves(const std::string& text, const CurveColumns& columns = {}) {
+  return curves_of(parse_csv(text, "c.csv"), columns);
+}
 
 std::string refusal(const std::string& text, const CurveColumns& columns = {}) {
   try {
@@ -67,14 +69,17 @@ TEST(ReadCurves, GeneralBiaxialTakesBothStretches) {
 TEST(ReadCurves, SeveralPossibleColumnsAreNotGuessed) {
   const std::string text = "stretch_x,stretch_y,cauchy_xx_MPa,cauchy_yy_MPa\n1.1,1.2,1,2\n";
   EXPECT_THAT(refusal(text, {.mode = "ET"}), AllOf(HasSubstr("cauchy_xx_MPa, cauchy_yy_MPa"), HasSubstr("--y")));
-  EXPECT_THAT(refusal(text, {.mode = "ET", .y = "cauchy_xx"}), AllOf(HasSubstr("stretch_x, stretch_y"), HasSubstr("--x")));
+  EXPECT_THAT(refusal(text, {.mode = "ET", .y = "cauchy_xx"}),
+              AllOf(HasSubstr("stretch_x, stretch_y"), HasSubstr("--x")));
 }
 
 TEST(ReadCurves, EveryBadLineOfEveryColumnIsNamedTogether) {
   const auto message = refusal("mode,stretch,stress_kPa\nUT,1.5,3\nUX,1.6,4\nUT,one,4\nUT,1.7,\n");
-  for (const std::string part : {"c.csv:3: mode", "c.csv:4: stretch", "c.csv:5: stress_kPa"}) EXPECT_THAT(message, HasSubstr(part));
+  for (const std::string part : {"c.csv:3: mode", "c.csv:4: stretch", "c.csv:5: stress_kPa"})
+    EXPECT_THAT(message, HasSubstr(part));
   const auto stretches = refusal("mode,stretch,stress_kPa\nUT,0,3\nUT,-1,4\nUT,1.5,4\nSS,1.2,3\n");
-  for (const std::string part : {"c.csv:2: stretch", "c.csv:3: stretch", "c.csv:5: stretch"}) EXPECT_THAT(stretches, HasSubstr(part));
+  for (const std::string part : {"c.csv:2: stretch", "c.csv:3: stretch", "c.csv:5: stretch"})
+    EXPECT_THAT(stretches, HasSubstr(part));
 }
 
 TEST(ReadCurves, WhatIsMissingIsSaid) {
@@ -83,7 +88,8 @@ TEST(ReadCurves, WhatIsMissingIsSaid) {
   EXPECT_THAT(refusal("stretch,stress_kPa\n1.5,3\n", {.mode = "sideways"}), HasSubstr("equibiaxial"));
   EXPECT_THAT(refusal("stretch,force_N\n1.5,3\n", {.mode = "UT"}), HasSubstr("force_N"));
   EXPECT_THAT(refusal("v_m_s,depth_mm\n1.5,3\n"), HasSubstr("depths of shots"));
-  EXPECT_THAT(refusal("position,stress_kPa\n1.5,3\n", {.mode = "UT", .x = "position"}), HasSubstr("does not say what it counts"));
+  EXPECT_THAT(refusal("position,stress_kPa\n1.5,3\n", {.mode = "UT", .x = "position"}),
+              HasSubstr("does not say what it counts"));
   EXPECT_THAT(refusal("gamma,stress_kPa\n1.5,3\n", {.mode = "UT"}), HasSubstr("gamma for uniaxial"));
   EXPECT_THAT(refusal("strain,stress_kPa\n-1,3\n", {.mode = "UT"}), HasSubstr("above -1"));
   EXPECT_THAT(refusal("strain,stress_kPa\n1,1e28\n", {.mode = "UT"}), HasSubstr("1e+30"));
@@ -97,7 +103,8 @@ TEST(ReadCurves, AModeThatTheFileContradictsIsNotIgnored) {
 
 TEST(ReadCurves, SeveralFilesAreOneSetOfPoints) {
   const std::string folder = PERCAL_DATA "/public/";
-  const auto data = read_curves({folder + "treloar1944_rubber_primary.csv", folder + "meunier2008_silicone_modes.csv"}, {});
+  const auto data =
+      read_curves({folder + "treloar1944_rubber_primary.csv", folder + "meunier2008_silicone_modes.csv"}, {});
   EXPECT_EQ(data.points.size(), 53u + 66u);
   EXPECT_EQ(data.sources[1].points, 66);
 }
@@ -111,7 +118,8 @@ TEST(ReadCurves, EveryPublicFileOfCurvesIsReadAsItIs) {
   EXPECT_EQ(count("meunier2008_silicone_modes.csv", {}), 66u);
   EXPECT_EQ(count("stpierre2023_meat_tension_compression_shear.csv", {.where = {"material_label=ac"}}), 78u);
   EXPECT_EQ(count("budday2017_brain_cann_table.csv", {.where = {"region=cortex"}}), 66u);
-  const CurveColumns skin{.mode = "equibiaxial", .x = "stretch_x", .y = "cauchy_xx_MPa", .where = {"protocol=equibiaxial"}};
+  const CurveColumns skin{
+      .mode = "equibiaxial", .x = "stretch_x", .y = "cauchy_xx_MPa", .where = {"protocol=equibiaxial"}};
   EXPECT_EQ(count("tac2022_porcine_skin_biaxial.csv", skin), 81u);
   EXPECT_THROW(count("gelatin_bb_calibration_points.csv", {}), BadInput);
 }

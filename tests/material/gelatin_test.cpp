@@ -37,7 +37,8 @@ TEST(GelatinLaw, OfOtherChoicesHasTheKnownFactors) {
   auto measured = rows({"source_of_mu=curve"}), all = rows({});
   ASSERT_EQ(all.concentrations.size(), 4u);
   EXPECT_NEAR(fit_gelatin_law(all.concentrations, all.quasi_static, 1.8, Misfit::absolute).factor, 132.6, 0.05);
-  EXPECT_NEAR(fit_gelatin_law(measured.concentrations, measured.quasi_static, 1.8, Misfit::relative).factor, 125.4, 0.05);
+  EXPECT_NEAR(fit_gelatin_law(measured.concentrations, measured.quasi_static, 1.8, Misfit::relative).factor, 125.4,
+              0.05);
   auto free = fit_gelatin_law(measured.concentrations, measured.quasi_static, Misfit::absolute);
   EXPECT_EQ(free.outcome, FitOutcome::converged);
   EXPECT_NEAR(free.exponent, 1.94, 0.005);
@@ -58,9 +59,13 @@ TEST(RateFactor, OfOneFormulationHasNoDeviationAndOfNoneIsRefused) {
   EXPECT_THROW(fit_rate_factor(std::vector{2.0}, std::vector{6.0, 7.0}), BadInput);
 }
 
-TEST(RateFactor, GoesThereAndBack) { EXPECT_DOUBLE_EQ(quasi_static_modulus(high_rate_modulus(3.77e3, 9.74), 9.74), 3.77e3); }
+TEST(RateFactor, GoesThereAndBack) {
+  EXPECT_DOUBLE_EQ(quasi_static_modulus(high_rate_modulus(3.77e3, 9.74), 9.74), 3.77e3);
+}
 
-TEST(YoungsModulus, OfTheIncompressibleSolidIsThreeTimesTheShearModulus) { EXPECT_EQ(youngs_modulus_incompressible(0.75e6), 2.25e6); }
+TEST(YoungsModulus, OfTheIncompressibleSolidIsThreeTimesTheShearModulus) {
+  EXPECT_EQ(youngs_modulus_incompressible(0.75e6), 2.25e6);
+}
 
 }  // namespace
 }  // namespace percal

@@ -15,7 +15,9 @@ using Jet = ceres::Jet<double, 2>;
 constexpr Deformation all_deformations[] = {Deformation::uniaxial,    Deformation::equibiaxial,  Deformation::planar,
                                             Deformation::planar_held, Deformation::simple_shear, Deformation::biaxial};
 
-double stress(double alpha, const Strained& strained) { return nominal_stress(Ogden{.mu = 1, .alpha = alpha}, strained); }
+double stress(double alpha, const Strained& strained) {
+  return nominal_stress(Ogden{.mu = 1, .alpha = alpha}, strained);
+}
 
 // W of the incompressible solid from its stretches, by the definition.
 double energy(const Ogden& solid, double first, double second) {
@@ -75,9 +77,11 @@ TEST(Homogeneous, TheStiffnessIsTheSlopeOfTheStress) {
         const Ogden solid{.mu = 3, .alpha = alpha};
         const double h = 1e-5;
         const double slope = (nominal_stress(solid, Strained{deformation, amount + h, 1.1}) -
-                              nominal_stress(solid, Strained{deformation, amount - h, 1.1})) / (2 * h);
+                              nominal_stress(solid, Strained{deformation, amount - h, 1.1})) /
+                             (2 * h);
         const double ours = nominal_stiffness(solid, {deformation, amount, 1.1});
-        EXPECT_NEAR(ours, slope, 1e-7 * (1 + std::abs(ours))) << word(deformation) << " alpha " << alpha << " at " << amount;
+        EXPECT_NEAR(ours, slope, 1e-7 * (1 + std::abs(ours)))
+            << word(deformation) << " alpha " << alpha << " at " << amount;
       }
 }
 
@@ -87,7 +91,8 @@ TEST(Homogeneous, StressIsTheDerivativeOfTheEnergy) {
     const Ogden solid{.mu = 1, .alpha = alpha};
     const double first = 1.3, second = 0.9;
     const double along = (energy(solid, first + h, second) - energy(solid, first - h, second)) / (2 * h);
-    EXPECT_NEAR(nominal_stress(solid, Strained{Deformation::biaxial, first, second}), along, 1e-7 * (1 + std::abs(along)));
+    EXPECT_NEAR(nominal_stress(solid, Strained{Deformation::biaxial, first, second}), along,
+                1e-7 * (1 + std::abs(along)));
     const double equal = (energy(solid, first + h, first + h) - energy(solid, first - h, first - h)) / (2 * h) / 2;
     EXPECT_NEAR(nominal_stress(solid, Strained{Deformation::equibiaxial, first}), equal, 1e-7 * (1 + std::abs(equal)));
   }
@@ -120,7 +125,8 @@ TEST(Homogeneous, DerivativesByJetsMeetDifferencesEverywhere) {
         const double difference = 2 * (stress(alpha + h, strained) - stress(alpha - h, strained)) / (2 * h);
         EXPECT_NEAR(value.a, 2 * stress(alpha, strained), 1e-14 * std::abs(value.a));
         EXPECT_NEAR(value.v[0], stress(alpha, strained), 1e-14 * std::abs(value.a));
-        EXPECT_NEAR(value.v[1], difference, 1e-8 * std::abs(difference) + 1e-9 * std::abs(value.a)) << word(deformation) << ' ' << alpha << ' ' << amount;
+        EXPECT_NEAR(value.v[1], difference, 1e-8 * std::abs(difference) + 1e-9 * std::abs(value.a))
+            << word(deformation) << ' ' << alpha << ' ' << amount;
       }
 }
 
@@ -134,20 +140,31 @@ TEST(Homogeneous, TheSeriesOfSinhJoinsTheFunction) {
 }
 
 TEST(Homogeneous, ACauchyStressBecomesNominalByItsAreaChange) {
-  for (const auto deformation : {Deformation::uniaxial, Deformation::equibiaxial, Deformation::planar, Deformation::biaxial})
+  for (const auto deformation :
+       {Deformation::uniaxial, Deformation::equibiaxial, Deformation::planar, Deformation::biaxial})
     EXPECT_EQ(nominal_of_cauchy(6, {deformation, 1.5, 1.1}), 4);
   EXPECT_EQ(nominal_of_cauchy(6, {Deformation::simple_shear, 1.5}), 6);
   EXPECT_EQ(nominal_of_cauchy(6, {Deformation::planar_held, 1.5}), 6);
 }
 
 TEST(Homogeneous, ModesAreKnownByManyWords) {
-  const std::pair<const char*, Deformation> known[] = {
-      {"UT", Deformation::uniaxial},          {"tension", Deformation::uniaxial},      {"Compression", Deformation::uniaxial},
-      {"tension_compression", Deformation::uniaxial}, {"tension-compression", Deformation::uniaxial},
-      {"ET", Deformation::equibiaxial},       {"Equibiaxial", Deformation::equibiaxial}, {"equi-biaxial", Deformation::equibiaxial},
-      {"biaxial", Deformation::equibiaxial},  {"PS", Deformation::planar},             {"planar", Deformation::planar},
-      {"Pure Shear", Deformation::planar},    {"pure-shear", Deformation::planar},     {"SS", Deformation::simple_shear},
-      {"shear", Deformation::simple_shear},   {"SIMPLE_SHEAR", Deformation::simple_shear}, {"general_biaxial", Deformation::biaxial}};
+  const std::pair<const char*, Deformation> known[] = {{"UT", Deformation::uniaxial},
+                                                       {"tension", Deformation::uniaxial},
+                                                       {"Compression", Deformation::uniaxial},
+                                                       {"tension_compression", Deformation::uniaxial},
+                                                       {"tension-compression", Deformation::uniaxial},
+                                                       {"ET", Deformation::equibiaxial},
+                                                       {"Equibiaxial", Deformation::equibiaxial},
+                                                       {"equi-biaxial", Deformation::equibiaxial},
+                                                       {"biaxial", Deformation::equibiaxial},
+                                                       {"PS", Deformation::planar},
+                                                       {"planar", Deformation::planar},
+                                                       {"Pure Shear", Deformation::planar},
+                                                       {"pure-shear", Deformation::planar},
+                                                       {"SS", Deformation::simple_shear},
+                                                       {"shear", Deformation::simple_shear},
+                                                       {"SIMPLE_SHEAR", Deformation::simple_shear},
+                                                       {"general_biaxial", Deformation::biaxial}};
   for (const auto& [text, deformation] : known) EXPECT_EQ(deformation_of(text), deformation) << text;
   for (const auto deformation : all_deformations) EXPECT_EQ(deformation_of(word(deformation)), deformation);
   for (const char* text : {"", "U", "torsion", "UTX"}) EXPECT_EQ(deformation_of(text), std::nullopt) << text;

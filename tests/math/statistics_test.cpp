@@ -57,7 +57,8 @@ TEST(LinearTrend, OfAnExactLineFarFromTheOriginIsThatLine) {
   EXPECT_NEAR(line.at(1e6 + 2.5), 3 * (1e6 + 2.5) - 7, 1e-8);
 }
 
-// Over many noisy lines, the slope's error in units of its standard error has deviation sqrt(f/(f-2)), f = 18 degrees of freedom.
+// Over many noisy lines, the slope's error in units of its standard error has deviation sqrt(f/(f-2)), f = 18 degrees
+// of freedom.
 TEST(LinearTrend, StandardErrorsDescribeTheScatterOfRepeatedFits) {
   constexpr unsigned seed = 20240607;
   std::mt19937 random(seed);

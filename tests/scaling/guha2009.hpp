@@ -1,4 +1,5 @@
-// The chain of Guha 2009's scaling, from the files of data/guha2009: what the tests and the verification page both read.
+// The chain of Guha 2009's scaling, from the files of data/guha2009: what the tests and the verification page both
+// read.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,7 +11,9 @@
 
 namespace percal::guha2009 {
 
-inline CsvTable table(const std::string& name) { return read_csv(std::string(PERCAL_DATA) + "/guha2009/" + name + ".csv"); }
+inline CsvTable table(const std::string& name) {
+  return read_csv(std::string(PERCAL_DATA) + "/guha2009/" + name + ".csv");
+}
 
 // A constant of the text, in SI.
 inline double constant(const std::string& name) {
@@ -46,19 +49,21 @@ inline System steel() {
 
 inline GelatinLaw gelatin_law(const std::vector<std::string>& rows, Misfit misfit) {
   auto chosen = table("gelatin_formulations").where(rows);
-  return fit_gelatin_law(chosen.numbers("concentration", dimension::none), chosen.numbers("mu_quasistatic", dimension::pressure),
+  return fit_gelatin_law(chosen.numbers("concentration", dimension::none),
+                         chosen.numbers("mu_quasistatic", dimension::pressure),
                          constant("gelatin_concentration_exponent"), misfit);
 }
 
 inline GelatinLaw gelatin_law_with_free_exponent() {
   auto chosen = table("gelatin_formulations").where({"source_of_mu=curve"});
-  return fit_gelatin_law(chosen.numbers("concentration", dimension::none), chosen.numbers("mu_quasistatic", dimension::pressure),
-                         Misfit::absolute);
+  return fit_gelatin_law(chosen.numbers("concentration", dimension::none),
+                         chosen.numbers("mu_quasistatic", dimension::pressure), Misfit::absolute);
 }
 
 inline RateFactor rate_factor() {
   auto chosen = table("gelatin_formulations").where({"source_of_mu=curve"});
-  return fit_rate_factor(chosen.numbers("mu_quasistatic", dimension::pressure), chosen.numbers("mu_highrate", dimension::pressure));
+  return fit_rate_factor(chosen.numbers("mu_quasistatic", dimension::pressure),
+                         chosen.numbers("mu_highrate", dimension::pressure));
 }
 
 // Depth [m] of the 3.18 mm steel ball against rho v a.
@@ -92,12 +97,13 @@ inline std::vector<GoldCase> gold_cases(const Line& line) {
     System particle;
     particle.radius = radii[i];
     particle.speed = speeds[i];
-    cases.push_back({radii[i], speeds[i], measured[i], printed[i], fe[i], depth_from_model(line, steel(), speed_ratio, particle)});
+    cases.push_back(
+        {radii[i], speeds[i], measured[i], printed[i], fe[i], depth_from_model(line, steel(), speed_ratio, particle)});
   }
   return cases;
 }
 
-inline double mean_error(const std::vector<GoldCase>& cases, double GoldCase::* prediction) {
+inline double mean_error(const std::vector<GoldCase>& cases, double GoldCase::*prediction) {
   std::vector<double> computed, measured;
   for (const auto& one : cases) {
     computed.push_back(one.*prediction);
@@ -119,7 +125,10 @@ struct EqualMassDepths {
 inline EqualMassDepths equal_mass_depths() {
   constexpr double speed = 40;
   auto mass = [](const char* angularity) {
-    return table("angular_shots").where({std::string("angularity_deg=") + angularity}).numbers("mass", dimension::mass).at(0);
+    return table("angular_shots")
+        .where({std::string("angularity_deg=") + angularity})
+        .numbers("mass", dimension::mass)
+        .at(0);
   };
   auto as_measured = table("angular_shots").where({"angularity_deg=60", "velocity_m_s=40"});
   auto ball = steel();

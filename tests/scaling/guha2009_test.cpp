@@ -1,5 +1,5 @@
-// Guha 2009's numbers come out of data/guha2009 by computation. Tolerances are half a unit of the last digit quoted, except
-// where a claim has its own.
+// Guha 2009's numbers come out of data/guha2009 by computation. Tolerances are half a unit of the last digit quoted,
+// except where a claim has its own.
 #include "guha2009.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,8 @@ TEST(Guha2009, TheThirdColumnOfTable41IsTheMappedModulus) {
   auto ridge = table("ridge");
   auto skin = ridge.numbers("mu_skin", dimension::pressure), model = ridge.numbers("mu_model", dimension::pressure);
   ASSERT_EQ(skin.size(), 6u);
-  for (std::size_t i = 0; i < skin.size(); ++i) EXPECT_NEAR(map_modulus(skin[i], gold(), steel()), model[i], 0.6e3) << skin[i];
+  for (std::size_t i = 0; i < skin.size(); ++i)
+    EXPECT_NEAR(map_modulus(skin[i], gold(), steel()), model[i], 0.6e3) << skin[i];
 }
 
 TEST(Guha2009, TheSteelLineIsTheRefittedOne) {
@@ -37,7 +38,8 @@ TEST(Guha2009, TheSteelLineIsTheRefittedOne) {
 TEST(Guha2009, TheScaledColumnOfTable44FollowsFromTheSteelLine) {
   auto cases = gold_cases(steel_line());
   ASSERT_EQ(cases.size(), 9u);
-  for (const auto& one : cases) EXPECT_NEAR(one.scaled, one.printed, 0.03e-6) << one.radius << " m, " << one.speed << " m/s";
+  for (const auto& one : cases)
+    EXPECT_NEAR(one.scaled, one.printed, 0.03e-6) << one.radius << " m, " << one.speed << " m/s";
   EXPECT_NEAR(mean_error(cases, &GoldCase::scaled), 0.1107, 5e-5);
 }
 

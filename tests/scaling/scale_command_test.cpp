@@ -55,8 +55,8 @@ class PercalScale : public testing::Test {
   }
 
  private:
-  fs::path folder_ = fs::temp_directory_path() /
-                     ("percal_scale_" + std::to_string(getpid()) + "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path folder_ = fs::temp_directory_path() / ("percal_scale_" + std::to_string(getpid()) + "_" +
+                                                  testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 const std::string ball = "radius = \"1.59 mm\"\nparticle_density = \"7800 kg/m3\"\nspeed = \"83 m/s\"";
@@ -69,7 +69,8 @@ TEST_F(PercalScale, WritesTheShippedSteelSceneByteForByte) {
 }
 
 TEST_F(PercalScale, MakesGoldAndSteelOneDimensionlessProblem) {
-  auto gold = reduce(read_scene(guha2009 + "gold.toml")).problem, steel = reduce(read_scene(guha2009 + "steel.toml")).problem;
+  auto gold = reduce(read_scene(guha2009 + "gold.toml")).problem,
+       steel = reduce(read_scene(guha2009 + "steel.toml")).problem;
   EXPECT_EQ(evaluation_key(gold, "any"), evaluation_key(steel, "any"));
   gold.pi4 *= 1 + 1e-11;
   EXPECT_NE(evaluation_key(gold, "any"), evaluation_key(steel, "any")) << "the key sees the eleventh digit";
@@ -101,17 +102,20 @@ fine_width = 2
 end_time = "0.3 us"
 time_step_factor = 0.5
 )");
-  auto ran = run_scale(write("job.toml", "[prototype]\nscene = \"skin.toml\"\n[model]\n" + ball + "\n[output]\nscene = \"model.toml\"\n"));
+  auto ran = run_scale(write(
+      "job.toml", "[prototype]\nscene = \"skin.toml\"\n[model]\n" + ball + "\n[output]\nscene = \"model.toml\"\n"));
   ASSERT_EQ(ran.exit_code, 0) << ran.output;
   auto model = read_scene(path("model.toml"));
   EXPECT_NEAR(*model.solver.end_time, 0.3e-6 * (1.59e-3 / 1.4e-6) * (606.0 / 83), 1e-12);
   EXPECT_EQ(model.replicates, 5);
-  EXPECT_EQ(evaluation_key(reduce(read_scene(path("skin.toml"))).problem, "any"), evaluation_key(reduce(model).problem, "any"));
+  EXPECT_EQ(evaluation_key(reduce(read_scene(path("skin.toml"))).problem, "any"),
+            evaluation_key(reduce(model).problem, "any"));
 }
 
 TEST_F(PercalScale, FindsTheGroupsOfBothShippedScenesEqualToTwelveDigits) {
-  auto ran = run_scale("--json " + write("job.toml", "tolerance = 1e-12\n[prototype]\nscene = \"" + guha2009 +
-                                                          "gold.toml\"\n[model]\nscene = \"" + guha2009 + "steel.toml\"\n"));
+  auto ran =
+      run_scale("--json " + write("job.toml", "tolerance = 1e-12\n[prototype]\nscene = \"" + guha2009 +
+                                                  "gold.toml\"\n[model]\nscene = \"" + guha2009 + "steel.toml\"\n"));
   ASSERT_EQ(ran.exit_code, 0) << ran.output;
   auto result = nlohmann::json::parse(ran.output);
   ASSERT_EQ(result["groups"].size(), 10u);
@@ -125,8 +129,9 @@ TEST_F(PercalScale, FindsTheGroupsOfBothShippedScenesEqualToTwelveDigits) {
 
 TEST_F(PercalScale, PrintsTheGroupsTheMissingValuesAndBothModuli) {
   auto ran = run_scale(guha2009 + "similar.toml --write-scene " + path("steel.toml"));
-  EXPECT_THAT(ran.output, AllOf(HasSubstr("pi10"), HasSubstr("prototype lacks strain_rate"), HasSubstr("464.3 kg/m3    from pi5"),
-                                HasSubstr("41.34 mm"), HasSubstr("113.2 kPa as given (mu/alpha), 481.1 kPa true"), HasSubstr("0.00754709")));
+  EXPECT_THAT(ran.output, AllOf(HasSubstr("pi10"), HasSubstr("prototype lacks strain_rate"),
+                                HasSubstr("464.3 kg/m3    from pi5"), HasSubstr("41.34 mm"),
+                                HasSubstr("113.2 kPa as given (mu/alpha), 481.1 kPa true"), HasSubstr("0.00754709")));
 }
 
 TEST_F(PercalScale, NamesTheUnitsInTheKeysOfItsResult) {
@@ -174,15 +179,18 @@ TEST_F(PercalScale, ComparesAModelThatIsNotSimilarAndRefusesToCallItsSceneSimila
   auto real_gelatin = job(ball + "\ntarget_density = \"1010 kg/m3\"");
   auto compared = run_scale(real_gelatin);
   EXPECT_EQ(compared.exit_code, 0);
-  EXPECT_THAT(compared.output, AllOf(HasSubstr("pi5 = rho_t / rho_p is over-determined"), HasSubstr("it would be 464.286 kg/m3")));
+  EXPECT_THAT(compared.output,
+              AllOf(HasSubstr("pi5 = rho_t / rho_p is over-determined"), HasSubstr("it would be 464.286 kg/m3")));
   auto written = run_scale(real_gelatin + " --write-scene " + path("scene.toml"));
   EXPECT_EQ(written.exit_code, 2);
-  EXPECT_THAT(written.output, AllOf(HasSubstr("job.toml"), HasSubstr("cannot be made similar"), HasSubstr("over-determined")));
+  EXPECT_THAT(written.output,
+              AllOf(HasSubstr("job.toml"), HasSubstr("cannot be made similar"), HasSubstr("over-determined")));
   EXPECT_FALSE(fs::exists(path("scene.toml")));
 }
 
 TEST_F(PercalScale, SaysWhichNumbersWouldSettleAModelThatIsNotDetermined) {
-  auto ran = run_scale(job("radius = \"1.59 mm\"\nparticle_density = \"7800 kg/m3\"") + " --write-scene " + path("scene.toml"));
+  auto ran = run_scale(job("radius = \"1.59 mm\"\nparticle_density = \"7800 kg/m3\"") + " --write-scene " +
+                       path("scene.toml"));
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_THAT(ran.output, HasSubstr("speed and mu are missing; give one of them"));
 }
@@ -191,7 +199,8 @@ TEST_F(PercalScale, RefusesErosionThatThePrototypesSceneHasNot) {
   auto text = read_file(guha2009 + "gold.toml");
   auto from = text.find("[target.erosion]"), to = text.find("[mesh]");
   write("plain.toml", text.erase(from, to - from));
-  auto ran = run_scale(write("job.toml", "[prototype]\nscene = \"plain.toml\"\n[model]\n" + ball + "\nerosion_strain = 0.7\n[output]\nscene = \"s.toml\"\n"));
+  auto ran = run_scale(write("job.toml", "[prototype]\nscene = \"plain.toml\"\n[model]\n" + ball +
+                                             "\nerosion_strain = 0.7\n[output]\nscene = \"s.toml\"\n"));
   EXPECT_EQ(ran.exit_code, 2);
   EXPECT_THAT(ran.output, HasSubstr("model.erosion_strain"));
 }
@@ -211,11 +220,11 @@ TEST_P(PercalScaleOfABadJob, EndsWithExitCode2AndSaysWhere) {
 INSTANTIATE_TEST_SUITE_P(
     Jobs, PercalScaleOfABadJob,
     testing::Values(BadJob{"UnknownKey", "radios = \"1 mm\"", {"radios", "radius"}},
-                    BadJob{"NoUnit", "radius = 1.59", {"radius", "m, mm"}}, BadJob{"WrongUnit", "radius = \"3 kg\"", {"radius"}},
+                    BadJob{"NoUnit", "radius = 1.59", {"radius", "m, mm"}},
+                    BadJob{"WrongUnit", "radius = \"3 kg\"", {"radius"}},
                     BadJob{"NegativeRadius", "radius = \"-1 mm\"", {"radius", "positive"}},
                     BadJob{"UnknownConvention", "convention = \"mu1\"", {"convention", "mu/alpha"}},
-                    BadJob{"NegativeModulus", "mu = \"-5 kPa\"", {"mu"}},
-                    BadJob{"Malformed", "radius = ", {}}),
+                    BadJob{"NegativeModulus", "mu = \"-5 kPa\"", {"mu"}}, BadJob{"Malformed", "radius = ", {}}),
     [](const auto& info) { return info.param.name; });
 
 TEST_F(PercalScale, EndsWithExitCode4WhereItCannotWrite) {

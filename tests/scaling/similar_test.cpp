@@ -91,8 +91,10 @@ TEST(Completion, NamesTheTiedNumbersWhereTheInputIsTooLittle) {
   ball.speed.reset();
   auto completion = complete(gold_in_skin(), ball);
   ASSERT_THAT(completion.gaps, SizeIs(1));
-  EXPECT_THAT(describe(completion.gaps[0]), AllOf(HasSubstr("pi4"), HasSubstr("speed and mu are missing"), HasSubstr("give one")));
-  EXPECT_THAT([&] { require_similar(completion, "job.toml"); }, ThrowsMessage<BadInput>(AllOf(HasSubstr("job.toml"), HasSubstr("pi4"))));
+  EXPECT_THAT(describe(completion.gaps[0]),
+              AllOf(HasSubstr("pi4"), HasSubstr("speed and mu are missing"), HasSubstr("give one")));
+  EXPECT_THAT([&] { require_similar(completion, "job.toml"); },
+              ThrowsMessage<BadInput>(AllOf(HasSubstr("job.toml"), HasSubstr("pi4"))));
 }
 
 TEST(Completion, SaysWhatToLeaveOutWhereTheInputIsTooMuch) {
@@ -101,7 +103,8 @@ TEST(Completion, SaysWhatToLeaveOutWhereTheInputIsTooMuch) {
   auto completion = complete(gold_in_skin(), ball);
   ASSERT_THAT(completion.conflicts, SizeIs(1));
   EXPECT_THAT(describe(completion.conflicts[0]),
-              AllOf(HasSubstr("pi5"), HasSubstr("target_density (it would be 464.286 kg/m3)"), HasSubstr("particle_density (it would be 16968 kg/m3)")));
+              AllOf(HasSubstr("pi5"), HasSubstr("target_density (it would be 464.286 kg/m3)"),
+                    HasSubstr("particle_density (it would be 16968 kg/m3)")));
   EXPECT_EQ(source_of(completion, "mu"), "pi4") << "the rest is still completed, with the density that was given";
   EXPECT_THAT([&] { require_similar(completion, "job.toml"); }, ThrowsMessage<BadInput>(HasSubstr("over-determined")));
 }

@@ -1,4 +1,5 @@
-// The two systems of Guha 2009: what is shot where in the tests. mu is true: LS-DYNA's 15 MPa and 113 kPa times alpha/2.
+// The two systems of Guha 2009: what is shot where in the tests. mu is true: LS-DYNA's 15 MPa and 113 kPa times
+// alpha/2.
 #pragma once
 #include "percal/scaling/system.hpp"
 

@@ -21,7 +21,8 @@ TEST(ImpactParameter, IsDensityTimesSpeedTimesRadius) {
 }
 
 TEST(Shots, AreReadWithTheirUnitsFromADiameterOrARadius) {
-  auto table = parse_csv("density_kg_m3,diameter_mm,radius_mm,velocity_m_s,penetration_cm\n7800,3.18,1.59,83,4.04\n", "shots.csv");
+  auto table = parse_csv("density_kg_m3,diameter_mm,radius_mm,velocity_m_s,penetration_cm\n7800,3.18,1.59,83,4.04\n",
+                         "shots.csv");
   auto by_diameter = read_shots(table, {});
   ASSERT_EQ(by_diameter.size(), 1u);
   EXPECT_DOUBLE_EQ(by_diameter[0].radius, 1.59e-3);
@@ -30,20 +31,23 @@ TEST(Shots, AreReadWithTheirUnitsFromADiameterOrARadius) {
 }
 
 TEST(Shots, RefuseANumberThatIsNotPositiveByItsLine) {
-  auto table = parse_csv("density_kg_m3,diameter_mm,velocity_m_s,penetration_cm\n7800,3.18,83,4.04\n7800,-3.18,83,4.04\n", "shots.csv");
+  auto table = parse_csv(
+      "density_kg_m3,diameter_mm,velocity_m_s,penetration_cm\n7800,3.18,83,4.04\n7800,-3.18,83,4.04\n", "shots.csv");
   EXPECT_THAT([&] { read_shots(table, {}); },
               ThrowsMessage<BadInput>(AllOf(HasSubstr("shots.csv:3"), HasSubstr("diameter"), HasSubstr("positive"))));
 }
 
 TEST(DepthTrend, OfShotsOnALineIsThatLine) {
   std::vector<Shot> shots;
-  for (double speed : {40.0, 60.0, 90.0}) shots.push_back({7800, 1.59e-3, speed, 5e-5 * (7800 * speed * 1.59e-3) - 0.008});
+  for (double speed : {40.0, 60.0, 90.0})
+    shots.push_back({7800, 1.59e-3, speed, 5e-5 * (7800 * speed * 1.59e-3) - 0.008});
   auto line = depth_trend(shots);
   EXPECT_NEAR(line.slope, 5e-5, 1e-16);
   EXPECT_NEAR(line.intercept, -0.008, 1e-13);
 }
 
-// Depths of similar systems differ by the radii only, so a line through the model's own shot gives the prototype's depth.
+// Depths of similar systems differ by the radii only, so a line through the model's own shot gives the prototype's
+// depth.
 TEST(DepthFromTheModel, OfTheSimilarShotIsThePrototypesDepth) {
   auto gold = gold_in_skin(), steel = complete(gold, steel_ball()).model;
   Line line;

@@ -24,7 +24,8 @@ class Table {
 
   void add(const std::string& what, const std::string& unit, const std::string& printed, double ours, int digits) {
     auto difference = printed.empty() ? "" : fmt::format("{:+.2f} %", 100 * (ours / std::stod(printed) - 1));
-    text_ += fmt::format("| {} | {} | {} | {:.{}f} | {} |\n", what, unit, printed.empty() ? "-" : printed, ours, digits, difference);
+    text_ += fmt::format("| {} | {} | {} | {:.{}f} | {} |\n", what, unit, printed.empty() ? "-" : printed, ours, digits,
+                         difference);
   }
   const std::string& text() const { return text_; }
 
@@ -48,13 +49,15 @@ void add_gelatin(Table& table) {
   auto law = gelatin_law({"source_of_mu=curve"}, Misfit::absolute);
   table.add("k of mu = k c^1.8, three measured rows, absolute", "kPa", "", law.factor / 1e3, 5);
   table.add("k with 10 wt% added", "kPa", "", gelatin_law({}, Misfit::absolute).factor / 1e3, 5);
-  table.add("k, relative least squares", "kPa", "", gelatin_law({"source_of_mu=curve"}, Misfit::relative).factor / 1e3, 5);
+  table.add("k, relative least squares", "kPa", "", gelatin_law({"source_of_mu=curve"}, Misfit::relative).factor / 1e3,
+            5);
   auto free = gelatin_law_with_free_exponent();
   table.add("n, free", "-", "", free.exponent, 3);
   table.add("n, free: standard error", "-", "", *free.exponent_error, 3);
   table.add("k, n free", "kPa", "", free.factor / 1e3, 5);
   table.add("quasi-static modulus at 10 wt%", "kPa", "8.61", law.at(10) / 1e3, 3);
-  table.add("high-rate modulus at 10 wt%", "kPa", "80", high_rate_modulus(law.at(10), constant("gelatin_rate_factor")) / 1e3, 2);
+  table.add("high-rate modulus at 10 wt%", "kPa", "80",
+            high_rate_modulus(law.at(10), constant("gelatin_rate_factor")) / 1e3, 2);
   table.add("rate factor, mean of the measured rows", "-", "9.74", rate_factor().factor, 3);
 }
 
@@ -71,8 +74,8 @@ void add_depths(Table& table) {
   auto cases = gold_cases(steel_line());
   auto printed = guha2009::table("gold_skin").texts("scaled_um");
   for (std::size_t i = 0; i < cases.size(); ++i)
-    table.add(fmt::format("Table 4-4: {:.1f} um gold at {:g} m/s", cases[i].radius * 1e6, cases[i].speed), "um", printed[i],
-              cases[i].scaled * 1e6, 3);
+    table.add(fmt::format("Table 4-4: {:.1f} um gold at {:g} m/s", cases[i].radius * 1e6, cases[i].speed), "um",
+              printed[i], cases[i].scaled * 1e6, 3);
   table.add("Table 4-4: mean error", "%", "11.08", 100 * mean_error(cases, &GoldCase::scaled), 2);
   auto depths = equal_mass_depths();
   auto shapes = guha2009::table("angularity").texts("penetration_cm");
@@ -86,23 +89,28 @@ void add_skin(Table& table) {
   double quasi_static = quasi_static_modulus(skin, constant("skin_rate_factor"));
   table.add("skin's high-rate modulus, as given", "MPa", "15", skin / 1e6, 3);
   table.add("skin's quasi-static modulus, as given", "MPa", "0.75", quasi_static / 1e6, 4);
-  table.add("skin's quasi-static Young's modulus, as given", "MPa", "2.25", youngs_modulus_incompressible(quasi_static) / 1e6, 3);
+  table.add("skin's quasi-static Young's modulus, as given", "MPa", "2.25",
+            youngs_modulus_incompressible(quasi_static) / 1e6, 3);
 }
 
 void add_errata(Table& table) {
   double density = constant("steel_angular_density"), root = std::numbers::sqrt2;
-  table.add("rhombus's mass from its dimensions", "g", "0.7027", 6e-3 * 6e-3 * std::sin(std::numbers::pi / 3) * 3.1e-3 * density * 1e3, 4);
+  table.add("rhombus's mass from its dimensions", "g", "0.7027",
+            6e-3 * 6e-3 * std::sin(std::numbers::pi / 3) * 3.1e-3 * density * 1e3, 4);
   table.add("square's mass from its dimensions", "g", "0.7509", 5.83e-3 * 5.83e-3 * 2.9e-3 * density * 1e3, 4);
   table.add("square's impact area", "mm2", "23.93", 5.64 * root * 2.9, 2);
   table.add("rhombus's impact area", "mm2", "18.29", 6.0 * 3.1, 2);
-  table.add("sphere's impact area", "mm2", "24.28", std::numbers::pi * std::pow(equal_mass_radius(0.7027e-3, constant("steel_density")) * 1e3, 2), 2);
+  table.add("sphere's impact area", "mm2", "24.28",
+            std::numbers::pi * std::pow(equal_mass_radius(0.7027e-3, constant("steel_density")) * 1e3, 2), 2);
   table.add("square at 40 m/s from the printed line", "cm", "2.31", 0.1306 * 40 - 2.9022, 2);
   table.add("square at 40 m/s from the refitted line", "cm", "2.31", angular_line("45").at(40) * 100, 2);
   auto ball = steel(), sphere = ball;
   sphere.radius = 2.78e-3;
   sphere.speed = 40;
-  table.add("sphere of Table 5-3 from the printed line", "cm", "2.77", depth_from_model(printed_steel_line(), ball, 1, sphere) * 100, 2);
-  table.add("Table 4-4: mean error with the printed line", "%", "11.08", 100 * mean_error(gold_cases(printed_steel_line()), &GoldCase::scaled), 2);
+  table.add("sphere of Table 5-3 from the printed line", "cm", "2.77",
+            depth_from_model(printed_steel_line(), ball, 1, sphere) * 100, 2);
+  table.add("Table 4-4: mean error with the printed line", "%", "11.08",
+            100 * mean_error(gold_cases(printed_steel_line()), &GoldCase::scaled), 2);
   table.add("Table 4-4: LS-DYNA's mean error", "%", "", 100 * mean_error(gold_cases(steel_line()), &GoldCase::fe), 2);
   table.add("standard error of 26 um, 18 um a standard deviation", "um", "18",
             18 / std::sqrt(constant("calibration_particles")), 2);
@@ -132,8 +140,11 @@ TEST(VerificationPage, HoldsTheNumbersThatAreComputedNow) {
   add_errata(errata);
   auto written = read_file(page);
   auto computed = with_table(with_table(written, "chain", chain), "errata", errata);
-  if (std::getenv("PERCAL_WRITE_PAGES")) write_file(page, computed);
-  else EXPECT_EQ(written, computed) << "write it anew: PERCAL_WRITE_PAGES=1 scaling_test --gtest_filter='VerificationPage.*'";
+  if (std::getenv("PERCAL_WRITE_PAGES"))
+    write_file(page, computed);
+  else
+    EXPECT_EQ(written, computed)
+        << "write it anew: PERCAL_WRITE_PAGES=1 scaling_test --gtest_filter='VerificationPage.*'";
 }
 
 }  // namespace

@@ -61,9 +61,9 @@ std::set<std::string> accepted_keys(const std::string& table) {
 }
 
 TEST(ScenePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
-  const std::map<std::string, std::string> tables{{"Top level", ""},       {"[particle]", "particle"}, {"[target]", "target"},
-                                                  {"[target.erosion]", "target.erosion"}, {"[mesh]", "mesh"},
-                                                  {"[solver]", "solver"},  {"[output]", "output"}};
+  const std::map<std::string, std::string> tables{
+      {"Top level", ""},  {"[particle]", "particle"}, {"[target]", "target"}, {"[target.erosion]", "target.erosion"},
+      {"[mesh]", "mesh"}, {"[solver]", "solver"},     {"[output]", "output"}};
   const auto described = described_keys();
   EXPECT_EQ(described.size(), tables.size());
   for (const auto& [heading, table] : tables) {
@@ -78,8 +78,9 @@ TEST(ScenePage, TheDefaultsItWritesOutAreTheDefaults) {
 }
 
 TEST(ScenePage, TheLongExampleNamesEveryKeyWithADefault) {
-  const std::set<std::string> without_default{"particle", "target", "mesh", "solver", "output", "youngs_modulus", "nu", "bulk_to_shear",
-                                              "erosion", "strain", "measure", "graded_columns", "end_time"};
+  const std::set<std::string> without_default{
+      "particle",      "target",  "mesh",   "solver",  "output",         "youngs_modulus", "nu",
+      "bulk_to_shear", "erosion", "strain", "measure", "graded_columns", "end_time"};
   for (const auto& [heading, keys] : described_keys()) {
     for (const auto& key : keys) {
       const bool written = examples().at(1).find(key + " = ") != std::string::npos;

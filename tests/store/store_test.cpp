@@ -126,16 +126,19 @@ TEST_F(StoreTest, SeveralThreadsShareOneStore) {
 }
 
 TEST_F(StoreTest, SeveralProcessesMakeAndFillOneStore) {
-  constexpr int processes = 4, rows = 25;
-  std::vector<pid_t> children;
-  for (int p = 0; p < processes; ++p) {
-    children.push_back(in_child([&] {
-      Store store(file);
-      for (int i = 0; i < rows; ++i) store.put(std::to_string(p) + ":" + std::to_string(i), stopped);
-    }));
+  constexpr int stores = 10, processes = 4, rows = 5;
+  for (int n = 0; n < stores; ++n) {  // the race is for making it, so it is made several times
+    const std::string path = file + std::to_string(n);
+    std::vector<pid_t> children;
+    for (int p = 0; p < processes; ++p) {
+      children.push_back(in_child([&] {
+        Store store(path);
+        for (int i = 0; i < rows; ++i) store.put(std::to_string(p) + ":" + std::to_string(i), stopped);
+      }));
+    }
+    for (const pid_t child : children) EXPECT_EQ(exit_code(child), 0);
+    EXPECT_EQ(Store(path).size(), processes * rows);
   }
-  for (const pid_t child : children) EXPECT_EQ(exit_code(child), 0);
-  EXPECT_EQ(Store(file).size(), processes * rows);
 }
 
 TEST_F(StoreTest, AKilledWriterLosesNothingThatItAcknowledged) {
@@ -158,7 +161,8 @@ TEST_F(StoreTest, AKilledWriterLosesNothingThatItAcknowledged) {
     EXPECT_EQ(exit_code(child), -1);
     EXPECT_GE(last, 20);
     Store store(file);
-    for (int i = 0; i <= last; ++i) EXPECT_TRUE(store.find(std::to_string(round) + ":" + std::to_string(i))) << i << " of " << last;
+    for (int i = 0; i <= last; ++i)
+      EXPECT_TRUE(store.find(std::to_string(round) + ":" + std::to_string(i))) << i << " of " << last;
     store.put("after " + std::to_string(round), stopped);
   }
 }
@@ -176,7 +180,8 @@ TEST_F(StoreTest, AFullDiskIsAnIoFailureAndWhatWasThereStays) {
       for (int i = 0; i < 100; ++i) store.put("full " + std::to_string(i), {"stopped", std::string(50000, 'x'), 0});
       throw std::runtime_error("a full disk went unnoticed");
     } catch (const IoFailure& error) {
-      if (std::string(error.what()).find(file) == std::string::npos) throw std::runtime_error("no path: " + std::string(error.what()));
+      if (std::string(error.what()).find(file) == std::string::npos)
+        throw std::runtime_error("no path: " + std::string(error.what()));
     }
     if (!store.find("before")) throw std::runtime_error("the store cannot be read any more");
   });

@@ -31,7 +31,9 @@ std::string refusal_of(const std::string& text) {
   return refusal([&] { parse_csv(text, "t.csv"); });
 }
 
-std::vector<double> stresses(const std::string& text) { return parse_csv(text, "t.csv").numbers("stress", dimension::pressure); }
+std::vector<double> stresses(const std::string& text) {
+  return parse_csv(text, "t.csv").numbers("stress", dimension::pressure);
+}
 
 TEST(CsvHeader, TheUnitStandsInTheName) {
   const auto check = [](const std::string& header, const std::string& name, const std::string& unit) {
@@ -58,8 +60,9 @@ TEST(CsvHeader, TheUnitStandsInTheName) {
 }
 
 TEST(CsvHeader, ANameThatOnlyLooksLikeAUnitStaysAName) {
-  for (const std::string header : {"stretch_x", "x_stretch_or_gamma", "kPa", "stretch_min", "temperature_C", "source_of_mu",
-                                   "strip (stretch_x=1)", "_kPa", "stress_", "_", "[kPa]", "sigma_11", "stress_kpa"}) {
+  for (const std::string header :
+       {"stretch_x", "x_stretch_or_gamma", "kPa", "stretch_min", "temperature_C", "source_of_mu", "strip (stretch_x=1)",
+        "_kPa", "stress_", "_", "[kPa]", "sigma_11", "stress_kpa"}) {
     EXPECT_EQ(split_header(header).name, header);
     EXPECT_EQ(split_header(header).unit, "") << header;
   }
@@ -79,14 +82,17 @@ TEST(Csv, NumbersComeInSi) {
 TEST(Csv, DialectsOfPeopleReadTheSame) {
   const std::vector<double> expected = {1500, -250};
   EXPECT_EQ(stresses("x,stress_kPa\n1,1.5\n2,-0.25\n"), expected);
-  EXPECT_EQ(stresses("\xEF\xBB\xBF# note, with commas; and ; semicolons\r\nx,stress_kPa\r\n1,1.5\r\n\r\n2,-0.25\r\n"), expected);
+  EXPECT_EQ(stresses("\xEF\xBB\xBF# note, with commas; and ; semicolons\r\nx,stress_kPa\r\n1,1.5\r\n\r\n2,-0.25\r\n"),
+            expected);
   EXPECT_EQ(stresses("x;stress_kPa\n1;1,5\n2;-0,25\n"), expected);
   EXPECT_EQ(stresses("x;stress_kPa\n1;1.5\n2;-0.25\n"), expected);
   EXPECT_EQ(stresses("x\tstress_kPa\n1\t1,5\n2\t-0,25\n"), expected);
   EXPECT_EQ(stresses("x\tstress_kPa\n\t1.5\n2\t-0.25\n"), expected);
   EXPECT_EQ(stresses("x,stress_kPa,,\n1,1.5,,\n2,-0.25\n,,,\n"), expected);
   EXPECT_EQ(stresses("  x , stress_kPa\n # indented comment\n 1 ,\"1.5\"\n\"2\", -0.25 "), expected);
-  EXPECT_EQ(stresses("x,stress_kPa\r1,1.5\r2,\xE2\x88\x92" "0.25\r"), expected);
+  EXPECT_EQ(stresses("x,stress_kPa\r1,1.5\r2,\xE2\x88\x92"
+                     "0.25\r"),
+            expected);
   EXPECT_EQ(stresses("x;\"stress [kPa]\";\n\"1\";\"+1,5\";\n2;-,25;\n"), expected);
 }
 
@@ -102,9 +108,10 @@ TEST(Csv, EveryBadLineIsNamedInOneMessage) {
   EXPECT_THAT(shape, HasSubstr("t.csv:6: found a quoted cell"));
   EXPECT_THAT(shape, Not(HasSubstr("t.csv:2")));
 
-  const auto numbers = refusal([] { stresses("# c\nstress_kPa\n1\nabc\n2\n1.2.3\nnan\ninf\n1e999\n0x10\n\"1,5\"\n- 1\n"); });
-  for (const std::string line : {"t.csv:4: stress_kPa: found \"abc\"", "t.csv:6:", "t.csv:7:", "t.csv:8:", "t.csv:9:", "t.csv:10:",
-                                 "t.csv:11:", "t.csv:12:"})
+  const auto numbers =
+      refusal([] { stresses("# c\nstress_kPa\n1\nabc\n2\n1.2.3\nnan\ninf\n1e999\n0x10\n\"1,5\"\n- 1\n"); });
+  for (const std::string line : {"t.csv:4: stress_kPa: found \"abc\"",
+                                 "t.csv:6:", "t.csv:7:", "t.csv:8:", "t.csv:9:", "t.csv:10:", "t.csv:11:", "t.csv:12:"})
     EXPECT_THAT(numbers, HasSubstr(line));
   EXPECT_THAT(numbers, Not(HasSubstr("t.csv:5:")));
 }
@@ -181,7 +188,8 @@ TEST(Csv, HostileTextIsReadOrRefusedButNeverCrashes) {
   const std::string seeds[] = {
       "\xEF\xBB\xBF# c\r\nmode,stretch,stress [kPa]\r\nUT,1.5,\"12\"\r\nET,2,3e1,\r\n",
       "a_m_s;b_kPa;c\n1,5;2;\"x;\"\"y\"\n;;\n3;4,5e-3;z\n",
-      "x\ty [%]\n1\t2\n\n-3\t\xE2\x88\x92" "4\n",
+      "x\ty [%]\n1\t2\n\n-3\t\xE2\x88\x92"
+      "4\n",
   };
   constexpr unsigned seed = 20090501;
   std::mt19937 random(seed);
@@ -194,7 +202,9 @@ TEST(Csv, HostileTextIsReadOrRefusedButNeverCrashes) {
       const char c = random() % 16 ? alphabet[random() % alphabet.size()] : static_cast<char>(random() % 256);
       switch (random() % 4) {
         case 0: text.insert(at, 1, c); break;
-        case 1: if (at < text.size()) text[at] = c; break;
+        case 1:
+          if (at < text.size()) text[at] = c;
+          break;
         case 2: text.erase(at, random() % 5); break;
         default: text.insert(at, text.substr(random() % (text.size() + 1), random() % 9)); break;
       }
@@ -202,7 +212,8 @@ TEST(Csv, HostileTextIsReadOrRefusedButNeverCrashes) {
     try {
       const auto table = parse_csv(text, "hostile.csv");
       for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
-        for (const auto& row : table.rows) ASSERT_EQ(row.cells.size(), table.columns.size()) << "seed " << seed << " round " << round;
+        for (const auto& row : table.rows)
+          ASSERT_EQ(row.cells.size(), table.columns.size()) << "seed " << seed << " round " << round;
         for (const double value : table.numbers(i, dimension::none)) ASSERT_TRUE(std::isfinite(value));
       }
       ++read;

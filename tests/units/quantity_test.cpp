@@ -38,8 +38,9 @@ TEST(Quantity, ADecimalPrefixCostsNoRounding) {
 }
 
 TEST(Quantity, AUnitIsComposedOfFactorsWithPowers) {
-  for (const char* text : {"16800 kg/m3", "16800 kg/m^3", "16800 kg m^-3", "16800kg*m^-3", "16.8 g/cm3", "16800 kg m-3",
-                           "16800 kg/(m m m)", "16800 kg/m/m/m", "16800 kg/m\u00b3", "16800 kg\u00b7m\u207b\u00b3", "16.8 t/m3"}) {
+  for (const char* text :
+       {"16800 kg/m3", "16800 kg/m^3", "16800 kg m^-3", "16800kg*m^-3", "16.8 g/cm3", "16800 kg m-3",
+        "16800 kg/(m m m)", "16800 kg/m/m/m", "16800 kg/m\u00b3", "16800 kg\u00b7m\u207b\u00b3", "16.8 t/m3"}) {
     EXPECT_EQ(value(text, dimension::density), 16800) << text;
   }
   EXPECT_EQ(value("5 kg/(m s)", dimension::impact_parameter), 5);
@@ -86,12 +87,45 @@ TEST(Quantity, ABareUnitIsItsFactor) {
 }
 
 TEST(Quantity, WhatIsNotANumberWithAUnitIsRefused) {
-  for (const char* text : {"", " ", "um", "nan", "nan m", "inf m", "-inf", "infinity m", "- 5 m", "--5 m", "+-5 m", "1.5.2 m",
-                           "5 m extra", "5 kg/", "5 /m", "5 (m", "5 m)", "5 m^", "5 m^x", "5 m^0", "5 m^99", "5 m^3.5", "5 1", "5 2 m",
-                           "5 m**3", "0x10 m", "1e999 m", "1e-400 m", "1e308 km", "1e-320 nm", "5 m;", "5 \xff", "5 m - 2",
-                           "5 ((((m^9)^9)^9)^9)", "5 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9"}) {
+  for (const char* text : {"",
+                           " ",
+                           "um",
+                           "nan",
+                           "nan m",
+                           "inf m",
+                           "-inf",
+                           "infinity m",
+                           "- 5 m",
+                           "--5 m",
+                           "+-5 m",
+                           "1.5.2 m",
+                           "5 m extra",
+                           "5 kg/",
+                           "5 /m",
+                           "5 (m",
+                           "5 m)",
+                           "5 m^",
+                           "5 m^x",
+                           "5 m^0",
+                           "5 m^99",
+                           "5 m^3.5",
+                           "5 1",
+                           "5 2 m",
+                           "5 m**3",
+                           "0x10 m",
+                           "1e999 m",
+                           "1e-400 m",
+                           "1e308 km",
+                           "1e-320 nm",
+                           "5e-324 1/h",
+                           "5 m;",
+                           "5 \xff",
+                           "5 m - 2",
+                           "5 ((((m^9)^9)^9)^9)",
+                           "5 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9 km^9"}) {
     EXPECT_THROW(parse_quantity(text), std::invalid_argument) << text;
   }
+  EXPECT_THAT(refusal("5 ((((km/m)^9)^9)^9)^9"), HasSubstr("powers are too large"));
   EXPECT_THROW(parse_quantity(std::string(100000, '(')), std::invalid_argument);
   EXPECT_THROW(parse_quantity("5 " + std::string(100000, 'm')), std::invalid_argument);
 }
@@ -140,8 +174,9 @@ TEST(FormatQuantity, RoundingCarriesIntoTheNextPrefix) {
 }
 
 TEST(FormatQuantity, WhatIsPrintedCanBeReadBack) {
-  for (const Dimension& dimension : {dimension::length, dimension::area, dimension::mass, dimension::time, dimension::speed,
-                                     dimension::density, dimension::pressure, dimension::impact_parameter, Dimension{2, -3, 1}}) {
+  for (const Dimension& dimension :
+       {dimension::length, dimension::area, dimension::mass, dimension::time, dimension::speed, dimension::density,
+        dimension::pressure, dimension::impact_parameter, Dimension{2, -3, 1}}) {
     for (const double x : {1.23456789e-14, 3.3e-5, -0.02, 7.0, 4.4e4, 9.87654321e12}) {
       const Quantity back = parse_quantity(format_quantity(x, dimension, 6));
       EXPECT_EQ(back.dimension, dimension);
@@ -153,8 +188,9 @@ TEST(FormatQuantity, WhatIsPrintedCanBeReadBack) {
 TEST(UnitsOf, NamesUnitsThatReallyHaveTheDimension) {
   EXPECT_EQ(units_of(dimension::pressure), "Pa, kPa, MPa, GPa");
   EXPECT_EQ(name_of(dimension::pressure), "pressure");
-  for (const Dimension& dimension : {dimension::length, dimension::area, dimension::mass, dimension::time, dimension::speed,
-                                     dimension::density, dimension::pressure, dimension::impact_parameter, Dimension{2, -3, 1}}) {
+  for (const Dimension& dimension :
+       {dimension::length, dimension::area, dimension::mass, dimension::time, dimension::speed, dimension::density,
+        dimension::pressure, dimension::impact_parameter, Dimension{2, -3, 1}}) {
     const std::string list = units_of(dimension);
     for (std::size_t begin = 0; begin < list.size();) {
       const std::size_t end = std::min(list.find(", ", begin), list.size());

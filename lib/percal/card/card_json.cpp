@@ -95,7 +95,7 @@ CardMaterial card_from_json(const json& card, const Place& place) {
 
 CardMaterial card_of_result(const std::string& text, const std::string& file) {
   const json result = parse(text, file);
-  if (result.is_object() && result.contains("card")) {
+  if (result.is_object() && result.contains("card") && !result["card"].is_null()) {
     return card_from_json(result["card"], Place{.file = file, .line = 0, .key = "card"});
   }
   const Place place{.file = file, .line = 0, .key = "card"};

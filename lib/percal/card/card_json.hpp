@@ -15,8 +15,8 @@ nlohmann::json card_to_json(const CardMaterial& material);
 // "erosion" is none, missing "comments" are none; the numbers and the name must be there.
 CardMaterial card_from_json(const nlohmann::json& card, const Place& place);
 
-// The card of a result file's whole text: its `card` object. Throws BadInput where the text is not JSON (with the line) or
-// has no card, as the results of `percal fit` and `percal impact`, which know no density.
+// The card of a result file's whole text: its `card` object. Throws BadInput where the text is not JSON (with the line)
+// or has no card, as the results of `percal fit` and `percal impact`, which know no density.
 CardMaterial card_of_result(const std::string& text, const std::string& file);
 
 }  // namespace percal

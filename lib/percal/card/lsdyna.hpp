@@ -7,9 +7,9 @@
 
 namespace percal {
 
-// The card in fields of ten columns. MU1 = 2 mu/alpha (negative for a negative alpha, and right), PR = nu of K/mu, MXEPS =
-// the erosion strain in the measure it was given in. Throws BadInput as check() does, and where ten columns of PR no
-// longer tell the bulk modulus to 1 % (K outside of some 1e-6 to 1e7 mu).
+// The card in fields of ten columns. MU1 = 2 mu/alpha (negative for a negative alpha, and right), PR = nu of K/mu,
+// MXEPS = the erosion strain in the measure it was given in. Throws BadInput as check() does, and where ten columns of
+// PR no longer tell the bulk modulus to 1 % (K outside of some 1e-6 to 1e7 mu).
 std::string lsdyna_card(const CardMaterial& material, const UnitSystem& units);
 
 // The material of such a card, whose numbers are in `units`: name and comments are left empty. Reads what lsdyna_card()

@@ -47,14 +47,17 @@ ProfileValue profile(const std::vector<WeightedPoint>& points, double alpha) {
 
 std::vector<Bracket> scan_alpha(const std::vector<WeightedPoint>& points, double largest, int steps) {
   std::vector<ProfileValue> scan(steps + 1);
-  for (int i = 0; i <= steps; ++i) scan[i] = profile(points, largest * (2.0 * i / steps - 1));  // odd steps would miss alpha = 0
+  for (int i = 0; i <= steps; ++i)
+    scan[i] = profile(points, largest * (2.0 * i / steps - 1));  // odd steps would miss alpha = 0
   const double floor = shallow * shallow * sum_of_squares(points);
   const auto at = [&](int i) { return scan[std::clamp(i, 0, steps)]; };
 
   std::vector<int> lowest;  // of each basin
   for (int i = 0; i <= steps; ++i) {
     if (!std::isfinite(scan[i].objective)) continue;
-    if ((i > 0 && scan[i - 1].objective <= scan[i].objective) || (i < steps && scan[i + 1].objective < scan[i].objective)) continue;
+    if ((i > 0 && scan[i - 1].objective <= scan[i].objective) ||
+        (i < steps && scan[i + 1].objective < scan[i].objective))
+      continue;
     if (!lowest.empty()) {
       double ridge = 0;
       for (int k = lowest.back(); k <= i; ++k) ridge = std::max(ridge, scan[k].objective);

@@ -19,6 +19,7 @@ struct ProfileValue {
   double objective;  // infinite where mu is not positive
 };
 
+// mu by linear least squares: docs/theory/curves.md (13)
 ProfileValue profile(const std::vector<WeightedPoint>& points, double alpha);
 
 // A local minimum of the scan lies between low and high.
@@ -27,8 +28,8 @@ struct Bracket {
   double low, high;
 };
 
-// Every local minimum on [-largest, largest], the ends included. Two neighbours that no ridge higher than the rounding error
-// parts count as one.
+// Every local minimum on [-largest, largest], the ends included. Two neighbours that no ridge higher than the rounding
+// error parts count as one.
 std::vector<Bracket> scan_alpha(const std::vector<WeightedPoint>& points, double largest, int steps);
 
 }  // namespace percal

@@ -19,7 +19,8 @@ std::string lower(std::string text) {
 }
 
 bool contains_any(const std::string& text, std::initializer_list<const char*> parts) {
-  return std::any_of(parts.begin(), parts.end(), [&](const char* part) { return text.find(part) != std::string::npos; });
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const char* part) { return text.find(part) != std::string::npos; });
 }
 
 // Scatter of a quantity, not the quantity: "sem_kPa", "stress_sd_kPa".
@@ -28,7 +29,9 @@ bool is_scatter(const std::string& name) {
   return contains_any(framed, {"_sem_", "_sd_", "_std_", "_se_", "_err_", "_error_", "_tol_", "_uncertainty_"});
 }
 
-bool may_be_y(const std::string& name) { return contains_any(name, {"stress", "sigma", "cauchy"}) && !is_scatter(name); }
+bool may_be_y(const std::string& name) {
+  return contains_any(name, {"stress", "sigma", "cauchy"}) && !is_scatter(name);
+}
 
 bool may_be_x(const std::string& name) {
   return contains_any(name, {"stretch", "strain", "gamma", "lambda", "shear"}) && !may_be_y(name) && !is_scatter(name);
@@ -53,10 +56,11 @@ int single(const CsvTable& table, bool (*wanted)(const std::string&), const char
                    fmt::format("one of them, chosen with {}", option));
   if (!found.empty()) return found[0];
   const bool depths = contains_any(lower(headers(table)), {"depth", "penetration"});
-  throw BadInput(place,
-                 fmt::format("no stress-stretch curve{}: no column of {} among {}",
-                             depths ? " but depths of shots, which are no input of a curve fit" : "", meaning, headers(table)),
-                 fmt::format("a column of {}, or the column's name with {}", meaning, option));
+  throw BadInput(
+      place,
+      fmt::format("no stress-stretch curve{}: no column of {} among {}",
+                  depths ? " but depths of shots, which are no input of a curve fit" : "", meaning, headers(table)),
+      fmt::format("a column of {}, or the column's name with {}", meaning, option));
 }
 
 Abscissa abscissa_of(const CsvTable& table, int x) {
@@ -70,7 +74,8 @@ Abscissa abscissa_of(const CsvTable& table, int x) {
     if (contains_any(name, {"green", "lagrange"})) return Abscissa::green_lagrange_strain;
     return contains_any(name, {"true", "log", "hencky"}) ? Abscissa::true_strain : Abscissa::engineering_strain;
   }
-  throw BadInput({table.file, table.header_line, table.columns[x].header}, "a column whose name does not say what it counts",
+  throw BadInput({table.file, table.header_line, table.columns[x].header},
+                 "a column whose name does not say what it counts",
                  "stretch, strain (engineering), true_strain, green_strain or gamma in the header");
 }
 
@@ -102,23 +107,28 @@ int partner_column(const CsvTable& table, int x) {
 
 double amount_of(double value, Abscissa abscissa, Deformation deformation) {
   if (deformation == Deformation::simple_shear) {
-    if (abscissa == Abscissa::gamma || abscissa == Abscissa::stretch_or_gamma || abscissa == Abscissa::engineering_strain)
+    if (abscissa == Abscissa::gamma || abscissa == Abscissa::stretch_or_gamma ||
+        abscissa == Abscissa::engineering_strain)
       return value;
     throw std::invalid_argument("no shear gamma for simple shear; accepted: a column named gamma, shear or strain");
   }
   if (abscissa == Abscissa::gamma)
-    throw std::invalid_argument(fmt::format("gamma for {}; accepted: a column of stretch or strain", word(deformation)));
+    throw std::invalid_argument(
+        fmt::format("gamma for {}; accepted: a column of stretch or strain", word(deformation)));
   double stretch = value;
   if (abscissa == Abscissa::engineering_strain) stretch = stretch_at(value, StrainMeasure::engineering);
   if (abscissa == Abscissa::true_strain) stretch = stretch_at(value, StrainMeasure::true_strain);
   if (abscissa == Abscissa::green_lagrange_strain) {
-    if (value <= -0.5) throw std::invalid_argument(fmt::format("Green-Lagrange strain {}; accepted: above -0.5", value));
+    if (value <= -0.5)
+      throw std::invalid_argument(fmt::format("Green-Lagrange strain {}; accepted: above -0.5", value));
     stretch = stretch_at(value, StrainMeasure::green_lagrange);
   }
   if (!(stretch > 0 && stretch < 1e6))
     throw std::invalid_argument(
         abscissa == Abscissa::stretch || abscissa == Abscissa::stretch_or_gamma
-            ? fmt::format("stretch {}; accepted: a stretch above 0 (1 = undeformed; strains belong in a column named strain)", value)
+            ? fmt::format(
+                  "stretch {}; accepted: a stretch above 0 (1 = undeformed; strains belong in a column named strain)",
+                  value)
             : fmt::format("strain {}; accepted: an engineering strain above -1", value));
   return stretch;
 }

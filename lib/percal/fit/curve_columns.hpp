@@ -18,15 +18,15 @@ struct FoundColumns {
   std::optional<int> mode;  // the column of the deformation's word
 };
 
-// The columns the user named, or else those whose names say it: x with stretch, strain, gamma, lambda or shear; y with stress,
-// sigma or cauchy. Throws BadInput that lists the columns there are.
+// The columns the user named, or else those whose names say it: x with stretch, strain, gamma, lambda or shear; y with
+// stress, sigma or cauchy. Throws BadInput that lists the columns there are.
 FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted);
 
 // For general biaxial data: the column of the other stretch of a pair (stretch_y for stretch_x, lambda_2 for lambda_1).
 int partner_column(const CsvTable& table, int x);
 
-// Stretch or gamma of a number of column x. Throws std::invalid_argument that says what does not fit (a stretch of 0, gamma
-// in a tension test, a stretch in simple shear).
+// Stretch or gamma of a number of column x. Throws std::invalid_argument that says what does not fit (a stretch of 0,
+// gamma in a tension test, a stretch in simple shear).
 double amount_of(double value, Abscissa abscissa, Deformation deformation);
 
 }  // namespace percal

@@ -15,7 +15,7 @@ struct StressPoint {
 // Where points came from: which columns of which file.
 struct CurveSource {
   std::string file;
-  std::string x, y;     // headers; x of general biaxial data are the two stretches
+  std::string x, y;          // headers; x of general biaxial data are the two stretches
   bool cauchy = false;       // y is a Cauchy stress; the points are nominal already
   bool mode_column = false;  // the file says the deformation of every row itself
   int points = 0;

@@ -51,7 +51,11 @@ json to_json(const OgdenFit& fit, const CurveData& data) {
           {"points_of_mode", modes},
           {"left_out_zero_stress", fit.left_out_zero_stress},
           {"sources", to_json(data)},
-          {"search", {{"alpha_low", -largest_alpha}, {"alpha_high", largest_alpha}, {"scanned", fit.scanned}, {"starts", fit.starts}}},
+          {"search",
+           {{"alpha_low", -largest_alpha},
+            {"alpha_high", largest_alpha},
+            {"scanned", fit.scanned},
+            {"starts", fit.starts}}},
           {"findings", findings(fit)}};
 }
 

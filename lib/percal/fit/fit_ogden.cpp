@@ -42,13 +42,16 @@ Prepared prepare(const CurveData& data, Residual residual, OgdenFit& fit) {
   }
   fit.points = static_cast<int>(prepared.used.size());
   if (different.size() < 2 || largest == 0)
-    throw BadInput(std::string("found ") + (largest == 0 && fit.points > 0 ? "no stress that differs from zero"
-                                                                         : std::to_string(different.size()) + " different deformed point(s)") +
+    throw BadInput(std::string("found ") +
+                   (largest == 0 && fit.points > 0
+                        ? "no stress that differs from zero"
+                        : std::to_string(different.size()) + " different deformed point(s)") +
                    "; accepted: curves with at least 2 different deformed points with stress, for mu and alpha");
   prepared.scale = largest;
   for (const auto& point : prepared.used) {
     const double stress = point.nominal_stress / largest;
-    prepared.weighted.push_back({principal_pair(point.strained), stress, residual == Residual::relative ? 1 / stress : 1.0});
+    prepared.weighted.push_back(
+        {principal_pair(point.strained), stress, residual == Residual::relative ? 1 / stress : 1.0});
   }
   return prepared;
 }
@@ -66,7 +69,7 @@ std::optional<double> coefficient_of_determination(const std::vector<WeightedPoi
   return 1 - sse / sst;
 }
 
-// Standard errors and correlation of (mu, alpha) from the normal matrix of (ln mu, alpha).      docs/theory/curves.md (13)
+// Standard errors and correlation of (mu, alpha) from the normal matrix of (ln mu, alpha). docs/theory/curves.md (14)
 void add_standard_errors(OgdenMinimum& minimum, const Polished& polished, int points) {
   const auto [a, b, c] = polished.normal_matrix;
   const double determinant = a * c - b * b;
@@ -86,7 +89,9 @@ double rounding_of_objective(const Prepared& prepared, double objective_unit) {
 // Best first; of two equal ones the positive alpha first, so that the order is no matter of rounding.
 void sort_and_compare(std::vector<OgdenMinimum>& minima, double floor) {
   std::sort(minima.begin(), minima.end(), [](const auto& a, const auto& b) { return a.objective < b.objective; });
-  const auto equal = [&](const auto& a, const auto& b) { return b.objective - a.objective <= same_objective * a.objective + floor; };
+  const auto equal = [&](const auto& a, const auto& b) {
+    return b.objective - a.objective <= same_objective * a.objective + floor;
+  };
   for (std::size_t i = 0; i + 1 < minima.size(); ++i)
     if (equal(minima[i], minima[i + 1]) && minima[i].solid.alpha < 0 && minima[i + 1].solid.alpha > 0)
       std::swap(minima[i], minima[i + 1]);

@@ -8,8 +8,8 @@
 namespace percal {
 namespace {
 
-// weight (stress - mu f(alpha)) of one point. The parameters are ln(mu/start_mu) and alpha, so that mu stays positive and both
-// are of order 1 whatever the units.
+// weight (stress - mu f(alpha)) of one point. The parameters are ln(mu/start_mu) and alpha, so that mu stays positive
+// and both are of order 1 whatever the units.
 struct StressResidual {
   WeightedPoint point;
   double start_mu;
@@ -53,7 +53,8 @@ Polished polish(const std::vector<WeightedPoint>& points, const Bracket& bracket
   ceres::Problem problem;
   for (const auto& point : points)
     problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<StressResidual, 1, 2>(new StressResidual{point, bracket.start.mu}), nullptr, parameters);
+        new ceres::AutoDiffCostFunction<StressResidual, 1, 2>(new StressResidual{point, bracket.start.mu}), nullptr,
+        parameters);
   problem.SetParameterLowerBound(parameters, 1, bracket.low);
   problem.SetParameterUpperBound(parameters, 1, bracket.high);
 

@@ -26,7 +26,8 @@ Deformation mode_given(const std::string& mode) {
 std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found, const std::string& mode) {
   if (!found.mode) {
     if (mode.empty())
-      throw BadInput({table.file, table.header_line, ""}, "no column 'mode'", "--mode with one of " + deformation_words());
+      throw BadInput({table.file, table.header_line, ""}, "no column 'mode'",
+                     "--mode with one of " + deformation_words());
     return std::vector<Deformation>(table.rows.size(), mode_given(mode));
   }
   LineFaults faults(table.file);
@@ -50,7 +51,8 @@ std::vector<double> abscissae(const CsvTable& table, int column) {
   return values;
 }
 
-// Runs the readings and joins the messages of those that fail, so that one message names every bad line of every column.
+// Runs the readings and joins the messages of those that fail, so that one message names every bad line of every
+// column.
 void together(const std::vector<std::function<void()>>& readings) {
   std::string faults;
   for (const auto& read : readings) {
@@ -65,12 +67,14 @@ void together(const std::vector<std::function<void()>>& readings) {
 
 // A --mode that no file needs and that the mode columns contradict would be ignored in silence.
 void refuse_idle_mode(const CurveData& data, const std::string& mode) {
-  const bool needed = std::any_of(data.sources.begin(), data.sources.end(), [](const auto& source) { return !source.mode_column; });
+  const bool needed =
+      std::any_of(data.sources.begin(), data.sources.end(), [](const auto& source) { return !source.mode_column; });
   if (mode.empty() || needed) return;
   const Deformation given = mode_given(mode);
   for (const auto& point : data.points)
     if (point.strained.deformation != given)
-      throw BadInput({data.sources[0].file, 0, "--mode"}, mode + ", but the file's mode column says " + word(point.strained.deformation),
+      throw BadInput({data.sources[0].file, 0, "--mode"},
+                     mode + ", but the file's mode column says " + word(point.strained.deformation),
                      "--where mode=... to choose rows, or no --mode");
 }
 
@@ -87,7 +91,8 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   together({[&] { modes = deformations(table, found, wanted.mode); }, [&] { x = abscissae(table, found.x); },
             [&] { y = table.numbers(found.y, dimension::pressure); },
             [&] {
-              if (!found.mode && general_biaxial(wanted.mode)) across = abscissae(table, partner_column(table, found.x));
+              if (!found.mode && general_biaxial(wanted.mode))
+                across = abscissae(table, partner_column(table, found.x));
             }});
 
   CurveData data;
@@ -97,22 +102,28 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
     try {
       point.strained.amount = amount_of(x[i], found.abscissa, modes[i]);
       if (modes[i] == Deformation::biaxial && across.empty())
-        throw std::invalid_argument("general_biaxial in a mode column; accepted: --mode general_biaxial for a whole file");
+        throw std::invalid_argument(
+            "general_biaxial in a mode column; accepted: --mode general_biaxial for a whole file");
       if (!across.empty()) point.strained.across = amount_of(across[i], found.abscissa, modes[i]);
     } catch (const std::invalid_argument& error) {
       faults.add(table.rows[i].line, fmt::format("{}: found {}", x_column.header, error.what()));
       continue;
     }
     if (std::abs(y[i]) > largest_stress) {
-      faults.add(table.rows[i].line, fmt::format("{}: found {:.4g} Pa; accepted: at most {:.0e} Pa", y_column.header, y[i], largest_stress));
+      faults.add(table.rows[i].line, fmt::format("{}: found {:.4g} Pa; accepted: at most {:.0e} Pa", y_column.header,
+                                                 y[i], largest_stress));
       continue;
     }
     point.nominal_stress = found.cauchy ? nominal_of_cauchy(y[i], point.strained) : y[i];
     data.points.push_back(point);
   }
   faults.throw_if_any();
-  data.sources.push_back({.file = table.file, .x = x_column.header, .y = y_column.header, .cauchy = found.cauchy,
-                          .mode_column = found.mode.has_value(), .points = static_cast<int>(data.points.size())});
+  data.sources.push_back({.file = table.file,
+                          .x = x_column.header,
+                          .y = y_column.header,
+                          .cauchy = found.cauchy,
+                          .mode_column = found.mode.has_value(),
+                          .points = static_cast<int>(data.points.size())});
   return data;
 }
 

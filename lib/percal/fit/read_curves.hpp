@@ -15,8 +15,9 @@ struct CurveColumns {
   std::vector<std::string> where = {};  // COLUMN=VALUE: the rows to keep
 };
 
-// The points of all files together. Throws BadInput: no such column, several that could be meant, no row left, a stretch that
-// is not positive, a word that is no deformation, a file without curves (depths of shots); each bad line is named.
+// The points of all files together. Throws BadInput: no such column, several that could be meant, no row left, a
+// stretch that is not positive, a word that is no deformation, a file without curves (depths of shots); each bad line
+// is named.
 CurveData read_curves(const std::vector<std::string>& files, const CurveColumns& columns);
 
 // As read_curves for one table, for tests and jobs.

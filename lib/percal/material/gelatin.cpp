@@ -7,7 +7,8 @@
 
 namespace percal {
 
-GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<const double> moduli, double exponent, Misfit misfit) {
+GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<const double> moduli, double exponent,
+                           Misfit misfit) {
   return fit_power_law(concentrations, moduli, exponent, misfit);
 }
 

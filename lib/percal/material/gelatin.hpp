@@ -10,11 +10,12 @@ namespace percal {
 using GelatinLaw = PowerLaw;
 
 // The exponent given (1.8 in Guha 2009), or fitted too. Throws BadInput as fit_power_law does.
-GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<const double> moduli, double exponent, Misfit misfit);
+GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<const double> moduli, double exponent,
+                           Misfit misfit);
 GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<const double> moduli, Misfit misfit);
 
-// How many times stiffer the material is at the impact's rate of strain: the mean of high-rate over quasi-static modulus,
-// with the sample standard deviation of one formulation (0 for a single one). Same length, positive.
+// How many times stiffer the material is at the impact's rate of strain: the mean of high-rate over quasi-static
+// modulus, with the sample standard deviation of one formulation (0 for a single one). Same length, positive.
 struct RateFactor {
   double factor;
   double deviation;

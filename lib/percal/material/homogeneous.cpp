@@ -62,7 +62,8 @@ double nominal_stiffness(const Ogden& solid, const Strained& strained) {
 }
 
 double nominal_of_cauchy(double cauchy, const Strained& strained) {
-  if (strained.deformation == Deformation::simple_shear || strained.deformation == Deformation::planar_held) return cauchy;
+  if (strained.deformation == Deformation::simple_shear || strained.deformation == Deformation::planar_held)
+    return cauchy;
   return cauchy / strained.amount;
 }
 

@@ -1,4 +1,5 @@
-// Stress of the incompressible one-term Ogden solid in the homogeneous deformations of the test bench. docs/theory/curves.md
+// Stress of the incompressible one-term Ogden solid in the homogeneous deformations of the test bench.
+// docs/theory/curves.md
 #pragma once
 #include <cmath>
 #include <optional>
@@ -17,7 +18,8 @@ namespace percal {
 //   biaxial       two stretches, the third direction free; stress along the first
 enum class Deformation { uniaxial, equibiaxial, planar, planar_held, simple_shear, biaxial };
 
-// How far. `amount` is the stretch along the measured stress, in simple shear gamma; `across` is the second stretch of biaxial.
+// How far. `amount` is the stretch along the measured stress, in simple shear gamma; `across` is the second stretch of
+// biaxial.
 struct Strained {
   Deformation deformation;
   double amount;
@@ -44,16 +46,17 @@ T nominal_stress(const OgdenOf<T>& solid, const Strained& strained) {
   return nominal_stress(solid, principal_pair(strained));
 }
 
-// d(nominal stress)/d(amount), Pa. 3 mu, 6 mu, 4 mu, 2 mu and mu in the undeformed state for uniaxial, equibiaxial, planar,
-// planar_held and simple shear; biaxial with `across` kept.
+// d(nominal stress)/d(amount), Pa. 3 mu, 6 mu, 4 mu, 2 mu and mu in the undeformed state for uniaxial, equibiaxial,
+// planar, planar_held and simple shear; biaxial with `across` kept.
 double nominal_stiffness(const Ogden& solid, const Strained& strained);
 
-// Nominal stress of a Cauchy stress measured along `amount`: sigma/lambda; unchanged in simple shear and where the width is held.
+// Nominal stress of a Cauchy stress measured along `amount`: sigma/lambda; unchanged in simple shear and where the
+// width is held.
 double nominal_of_cauchy(double cauchy, const Strained& strained);
 
 // The deformation that a word means, without regard to case, '-', '_' and blanks: UT, uniaxial, tension, compression,
-// tension_compression, ET, equibiaxial, biaxial (both the same stretch), PS, planar, pure_shear, planar_held, SS, shear,
-// simple_shear, general_biaxial. nullopt for other words.
+// tension_compression, ET, equibiaxial, biaxial (both the same stretch), PS, planar, pure_shear, planar_held, SS,
+// shear, simple_shear, general_biaxial. nullopt for other words.
 std::optional<Deformation> deformation_of(const std::string& word);
 
 // "uniaxial", "equibiaxial", "planar", "planar_held", "simple_shear", "general_biaxial".

@@ -27,8 +27,8 @@ T sinh_over(const T& x) {
   return sinh(x) / x;
 }
 
-// Difference of two principal Cauchy stresses, sigma_i - sigma_j = (2 mu/alpha) (lambda_i^alpha - lambda_j^alpha), Pa, from the
-// logarithms of the two stretches. Exact also at alpha = 0 and near lambda = 1.              docs/theory/curves.md (3)
+// Difference of two principal Cauchy stresses, sigma_i - sigma_j = (2 mu/alpha) (lambda_i^alpha - lambda_j^alpha), Pa,
+// from the logarithms of the two stretches. Exact also at alpha = 0 and near lambda = 1. docs/theory/curves.md (3)
 template <class T>
 T cauchy_difference(const OgdenOf<T>& solid, double log_i, double log_j) {
   using std::exp;

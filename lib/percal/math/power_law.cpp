@@ -20,7 +20,8 @@ namespace {
 void require_positive(std::span<const double> values, const char* which) {
   for (double value : values)
     if (!(value > 0) || !std::isfinite(value))
-      throw BadInput(std::string("power law: found ") + which + " = " + std::to_string(value) + "; accepted: positive numbers");
+      throw BadInput(std::string("power law: found ") + which + " = " + std::to_string(value) +
+                     "; accepted: positive numbers");
 }
 
 void require_points(std::span<const double> x, std::span<const double> y, std::size_t parameters) {
@@ -33,7 +34,8 @@ void require_points(std::span<const double> x, std::span<const double> y, std::s
   auto [end, last] = std::ranges::unique(different);
   auto count = static_cast<std::size_t>(end - different.begin());
   if (count < parameters)
-    throw BadInput("power law: found " + std::to_string(count) + " different x; accepted: " + std::to_string(parameters) + " or more");
+    throw BadInput("power law: found " + std::to_string(count) +
+                   " different x; accepted: " + std::to_string(parameters) + " or more");
 }
 
 // The points with the weights that turn both misfits into one sum of (weight (y - k x^n))^2.
@@ -119,14 +121,16 @@ PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, Mis
   problem.params = &points;
   auto parameters = gsl_multifit_nlinear_default_parameters();
   std::unique_ptr<gsl_multifit_nlinear_workspace, decltype(&gsl_multifit_nlinear_free)> work(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, problem.n, problem.p), &gsl_multifit_nlinear_free);
+      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, problem.n, problem.p),
+      &gsl_multifit_nlinear_free);
   if (!work) throw std::bad_alloc();
   double first[2] = {start.intercept, start.slope};
   auto first_view = gsl_vector_const_view_array(first, 2);
   PowerLaw law;
   law.points = static_cast<int>(x.size());
   int status = gsl_multifit_nlinear_init(&first_view.vector, &problem, work.get());
-  // 1e-15 in the step: as far as double precision goes. Points exactly on a law end as "no progress" at a zero residual.
+  // 1e-15 in the step: as far as double precision goes. Points exactly on a law end as "no progress" at a zero
+  // residual.
   int info = 0;
   if (status == GSL_SUCCESS)
     status = gsl_multifit_nlinear_driver(200, 1e-12, 1e-15, 0, nullptr, nullptr, &info, work.get());
@@ -143,7 +147,8 @@ PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, Mis
 
   double covariance[4];
   auto view = gsl_matrix_view_array(covariance, 2, 2);
-  if (x.size() > 2 && gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work.get()), 0, &view.matrix) == GSL_SUCCESS) {
+  if (x.size() > 2 &&
+      gsl_multifit_nlinear_covar(gsl_multifit_nlinear_jac(work.get()), 0, &view.matrix) == GSL_SUCCESS) {
     double scatter = squares / static_cast<double>(x.size() - 2);
     // ln k = p0 - p1 ln x0
     double variance = covariance[0] - 2 * log_x0 * covariance[1] + log_x0 * log_x0 * covariance[3];

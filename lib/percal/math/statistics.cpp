@@ -31,9 +31,11 @@ std::optional<double> Line::error_at(double x) const {
 
 Line linear_trend(std::span<const double> x, std::span<const double> y) {
   auto n = x.size();
-  if (n != y.size()) throw BadInput("linear trend: found " + std::to_string(n) + " x and " + std::to_string(y.size()) + " y");
+  if (n != y.size())
+    throw BadInput("linear trend: found " + std::to_string(n) + " x and " + std::to_string(y.size()) + " y");
   if (n < 2 || std::ranges::all_of(x, [&](double value) { return value == x[0]; }))
-    throw BadInput("linear trend: found " + std::to_string(n) + " point(s) at one x; accepted: two different x or more");
+    throw BadInput("linear trend: found " + std::to_string(n) +
+                   " point(s) at one x; accepted: two different x or more");
 
   double intercept, slope, variance_intercept, covariance, variance_slope, squares;
   gsl_set_error_handler_off();

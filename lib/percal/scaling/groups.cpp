@@ -16,21 +16,30 @@ double power(double base, int exponent) {
 
 std::span<const Group> groups() {
   using enum GroupKind;
+  // clang-format off
   static const std::vector<Group> all = {
-      {1, "pi1", "target depth", "L / a", geometry, {{&System::depth, 1}, {&System::radius, -1}}},
-      {2, "pi2", "target width", "w / a", geometry, {{&System::width, 1}, {&System::radius, -1}}},
+      {1, "pi1", "target depth", "L / a", geometry,
+       {{&System::depth, 1}, {&System::radius, -1}}},
+      {2, "pi2", "target width", "w / a", geometry,
+       {{&System::width, 1}, {&System::radius, -1}}},
       {3, "pi3", "inertia over particle stiffness", "rho_p v^2 / E", material,
        {{&System::particle_density, 1}, {&System::speed, 2}, {&System::particle_modulus, -1}}},
       {4, "pi4", "inertia over target stiffness", "rho_t v^2 / mu", material,
        {{&System::target_density, 1}, {&System::speed, 2}, {&System::mu, -1}}},
-      {5, "pi5", "density ratio", "rho_t / rho_p", material, {{&System::target_density, 1}, {&System::particle_density, -1}}},
-      {6, "pi6", "strain hardening", "alpha", material, {{&System::alpha, 1}}},
-      {7, "pi7", "erosion strain", "eps_t", material, {{&System::erosion_strain, 1}}},
-      {8, "pi8", "penetration", "P_d / a", response, {{&System::penetration, 1}, {&System::radius, -1}}},
+      {5, "pi5", "density ratio", "rho_t / rho_p", material,
+       {{&System::target_density, 1}, {&System::particle_density, -1}}},
+      {6, "pi6", "strain hardening", "alpha", material,
+       {{&System::alpha, 1}}},
+      {7, "pi7", "erosion strain", "eps_t", material,
+       {{&System::erosion_strain, 1}}},
+      {8, "pi8", "penetration", "P_d / a", response,
+       {{&System::penetration, 1}, {&System::radius, -1}}},
       {9, "pi9", "strain rate", "rate a / v", response,
        {{&System::strain_rate, 1}, {&System::radius, 1}, {&System::speed, -1}}},
-      {10, "pi10", "time", "t v / a", response, {{&System::time, 1}, {&System::speed, 1}, {&System::radius, -1}}},
+      {10, "pi10", "time", "t v / a", response,
+       {{&System::time, 1}, {&System::speed, 1}, {&System::radius, -1}}},
   };
+  // clang-format on
   return all;
 }
 
@@ -52,7 +61,8 @@ std::optional<double> value(const Group& group, const System& system) {
   return product;
 }
 
-std::optional<double> solve(const Group& group, double group_value, std::optional<double> System::* member, const System& system) {
+std::optional<double> solve(const Group& group, double group_value, std::optional<double> System::*member,
+                            const System& system) {
   double others = 1;
   int own = 0;
   for (const auto& factor : group.factors) {

@@ -1,6 +1,6 @@
 // The ten dimensionless groups of an impact (Guha 2009, Table 3-2), as one table. Each is a product of powers of the
-// system's numbers, so one table gives the formula, the value, what is missing for it, and the number that would make two
-// systems agree.                                                                        docs/theory/scaling.md
+// system's numbers, so one table gives the formula, the value, what is missing for it, and the number that would make
+// two systems agree.                                                                        docs/theory/scaling.md
 #pragma once
 #include <optional>
 #include <span>
@@ -14,7 +14,7 @@ namespace percal {
 enum class GroupKind { geometry, material, response };
 
 struct Factor {
-  std::optional<double> System::* member;
+  std::optional<double> System::*member;
   int power;
 };
 
@@ -38,7 +38,8 @@ std::optional<double> value(const Group& group, const System& system);
 
 // The number that `member` must be for the group to have this value, all its other numbers taken from `system`.
 // nullopt where another one is missing or the member is not in the group.
-std::optional<double> solve(const Group& group, double group_value, std::optional<double> System::* member, const System& system);
+std::optional<double> solve(const Group& group, double group_value, std::optional<double> System::*member,
+                            const System& system);
 
 enum class Agreement { agree, differ, missing };
 std::string word(Agreement agreement);

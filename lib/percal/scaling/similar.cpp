@@ -11,7 +11,9 @@ namespace {
 
 using Member = std::optional<double> System::*;
 
-double ratio(Member member, const System& from, const System& to) { return required(to, member) / required(from, member); }
+double ratio(Member member, const System& from, const System& to) {
+  return required(to, member) / required(from, member);
+}
 
 // The numbers that a group may be solved for. E, the penetration, the strain rate and the time stand in one group each:
 // they never decide anything else.
@@ -46,7 +48,9 @@ double modulus_ratio(const System& from, const System& to) {
 
 double map_length(double length, const System& from, const System& to) { return length * length_ratio(from, to); }
 
-double map_penetration(double penetration, const System& from, const System& to) { return penetration * length_ratio(from, to); }
+double map_penetration(double penetration, const System& from, const System& to) {
+  return penetration * length_ratio(from, to);
+}
 
 double map_modulus(double mu, const System& from, const System& to) { return mu * modulus_ratio(from, to); }
 
@@ -93,7 +97,8 @@ Completion complete(const System& prototype, const System& given) {
       Conflict conflict{&one, *compared.prototype, *compared.model, {}};
       for (const auto& factor : one.factors)
         if (given.*factor.member)
-          conflict.instead.push_back({&system_quantity(factor.member), *solve(one, *compared.prototype, factor.member, model), &one});
+          conflict.instead.push_back(
+              {&system_quantity(factor.member), *solve(one, *compared.prototype, factor.member, model), &one});
       completion.conflicts.push_back(conflict);
     }
   }
@@ -101,12 +106,14 @@ Completion complete(const System& prototype, const System& given) {
 }
 
 std::string describe(const Conflict& conflict) {
-  std::string text = conflict.group->symbol + " = " + conflict.group->formula + " is over-determined: " +
-                     format_quantity(conflict.model, dimension::none) + " from the model's own numbers, " +
-                     format_quantity(conflict.prototype, dimension::none) + " in the prototype; leave out";
+  std::string text = conflict.group->symbol + " = " + conflict.group->formula +
+                     " is over-determined: " + format_quantity(conflict.model, dimension::none) +
+                     " from the model's own numbers, " + format_quantity(conflict.prototype, dimension::none) +
+                     " in the prototype; leave out";
   for (std::size_t i = 0; i < conflict.instead.size(); ++i) {
     const auto& one = conflict.instead[i];
-    text += (i ? ", or " : " ") + one.quantity->key + " (it would be " + format_quantity(one.value, one.quantity->dimension, 6) + ")";
+    text += (i ? ", or " : " ") + one.quantity->key + " (it would be " +
+            format_quantity(one.value, one.quantity->dimension, 6) + ")";
   }
   return text;
 }

@@ -9,16 +9,16 @@
 
 namespace percal {
 
-// Each takes `from`'s numbers to `to`; both systems need the numbers that the formula names, and BadInput says which one
-// is missing. The first argument is the value in `from`, the result its counterpart in `to`.
-double length_ratio(const System& from, const System& to);                     // S_L = a_to / a_from        Eq. 3-1
-double modulus_ratio(const System& from, const System& to);                    // (rho_t v^2)_to / (rho_t v^2)_from  Eq. 4-1
-double map_length(double length, const System& from, const System& to);        // times S_L: depth, width
+// Each takes `from`'s numbers to `to`; both systems need the numbers that the formula names, and BadInput says which
+// one is missing. The first argument is the value in `from`, the result its counterpart in `to`.
+double length_ratio(const System& from, const System& to);               // S_L = a_to / a_from        Eq. 3-1
+double modulus_ratio(const System& from, const System& to);              // (rho_t v^2)_to / (rho_t v^2)_from  Eq. 4-1
+double map_length(double length, const System& from, const System& to);  // times S_L: depth, width
 double map_penetration(double penetration, const System& from, const System& to);  // times S_L (pi8)
-double map_modulus(double mu, const System& from, const System& to);           // times modulus_ratio (pi4)
+double map_modulus(double mu, const System& from, const System& to);               // times modulus_ratio (pi4)
 double map_target_density(double density, const System& from, const System& to);   // times rho_p_to / rho_p_from (pi5)
-double map_time(double time, const System& from, const System& to);            // times (a/v)_to / (a/v)_from (pi10)
-double map_strain_rate(double rate, const System& from, const System& to);     // times (v/a)_to / (v/a)_from (pi9)
+double map_time(double time, const System& from, const System& to);                // times (a/v)_to / (a/v)_from (pi10)
+double map_strain_rate(double rate, const System& from, const System& to);         // times (v/a)_to / (v/a)_from (pi9)
 // times sqrt((mu/rho_t)_to / (mu/rho_t)_from) (pi4)
 double map_speed(double speed, const System& from, const System& to);
 
@@ -29,8 +29,8 @@ struct Derived {
   const Group* because;
 };
 
-// A group that the model's given numbers contradict: it is over-determined. `instead` has, for each number of the group that
-// was given, what it would have to be.
+// A group that the model's given numbers contradict: it is over-determined. `instead` has, for each number of the
+// group that was given, what it would have to be.
 struct Conflict {
   const Group* group;
   double prototype, model;  // the group's two values
@@ -54,15 +54,17 @@ struct Completion {
 inline constexpr double exact_agreement = 1e-12;
 
 // Fills in the model's missing numbers group by group, each where one number is missing. The density ratio goes before
-// pi4. Similarity demands pi1, pi2 and pi4 to pi7. pi3 and the response groups (pi8 to pi10) only give what belongs to them
-// alone - the particle's modulus, the penetration, the strain rate, the time - and make neither conflicts nor gaps.
+// pi4. Similarity demands pi1, pi2 and pi4 to pi7. pi3 and the response groups (pi8 to pi10) only give what belongs
+// to them alone - the particle's modulus, the penetration, the strain rate, the time - and make neither conflicts nor
+// gaps.
 Completion complete(const System& prototype, const System& model);
 
 // One line each, for messages.
 std::string describe(const Conflict& conflict);
 std::string describe(const Gap& gap);
 
-// Throws BadInput that lists all gaps and conflicts: an exactly similar system has none. `file` is the job's, for the message.
+// Throws BadInput that lists all gaps and conflicts: an exactly similar system has none. `file` is the job's, for the
+// message.
 void require_similar(const Completion& completion, const std::string& file);
 
 }  // namespace percal

@@ -26,11 +26,11 @@ std::span<const SystemQuantity> system_quantities() {
   return all;
 }
 
-const SystemQuantity& system_quantity(std::optional<double> System::* member) {
+const SystemQuantity& system_quantity(std::optional<double> System::*member) {
   return *std::ranges::find(system_quantities(), member, &SystemQuantity::member);
 }
 
-double required(const System& system, std::optional<double> System::* member) {
+double required(const System& system, std::optional<double> System::*member) {
   if (system.*member) return *(system.*member);
   const auto& quantity = system_quantity(member);
   throw BadInput(title(system) + ": the " + quantity.words + " (" + quantity.key + ") is missing");

@@ -33,15 +33,15 @@ struct SystemQuantity {
   std::string words;
   Dimension dimension;
   std::string unit;
-  std::optional<double> System::* member;
+  std::optional<double> System::*member;
 };
 
 // All thirteen, in the order of the struct.
 std::span<const SystemQuantity> system_quantities();
-const SystemQuantity& system_quantity(std::optional<double> System::* member);
+const SystemQuantity& system_quantity(std::optional<double> System::*member);
 
 // The number, or BadInput that names the system and what it lacks.
-double required(const System& system, std::optional<double> System::* member);
+double required(const System& system, std::optional<double> System::*member);
 
 // "steel into gelatin"
 std::string title(const System& system);

@@ -6,11 +6,13 @@ namespace percal {
 namespace {
 
 bool is_response(const SystemQuantity& quantity) {
-  return quantity.member == &System::penetration || quantity.member == &System::strain_rate || quantity.member == &System::time;
+  return quantity.member == &System::penetration || quantity.member == &System::strain_rate ||
+         quantity.member == &System::time;
 }
 
 void read_number(const TomlTable& table, const SystemQuantity& quantity, System& system) {
-  bool may_be_negative = quantity.member == &System::alpha || quantity.member == &System::mu;  // mu: checked once it is true
+  bool may_be_negative =
+      quantity.member == &System::alpha || quantity.member == &System::mu;  // mu: checked once it is true
   auto range = may_be_negative ? any_number() : positive(quantity.words);
   if (auto number = table.optional_quantity(quantity.key, quantity.dimension, range)) system.*quantity.member = number;
 }
@@ -18,14 +20,16 @@ void read_number(const TomlTable& table, const SystemQuantity& quantity, System&
 void take_true_modulus(const TomlTable& table, SystemInput& input, const SystemInput& otherwise) {
   if (!input.system.mu) return;
   if (input.convention == ModulusConvention::true_shear) {
-    if (!(*input.system.mu > 0)) table.refuse("mu", format_quantity(*input.system.mu, dimension::pressure), "a positive pressure");
+    if (!(*input.system.mu > 0))
+      table.refuse("mu", format_quantity(*input.system.mu, dimension::pressure), "a positive pressure");
     return;
   }
   auto alpha = input.system.alpha ? input.system.alpha : otherwise.system.alpha;
   if (!alpha) table.refuse("mu", "a modulus of convention \"mu/alpha\" and no alpha", "alpha beside it");
   double modulus = true_modulus(*input.system.mu, *alpha, input.convention);
   if (!(modulus > 0))
-    table.refuse("mu", "a modulus that makes the true one, mu alpha/2, " + format_quantity(modulus, dimension::pressure),
+    table.refuse("mu",
+                 "a modulus that makes the true one, mu alpha/2, " + format_quantity(modulus, dimension::pressure),
                  "mu and alpha of one sign");
   input.system.mu = modulus;
 }
@@ -40,11 +44,13 @@ SystemInput read_system(const TomlTable& table, const SystemInput& otherwise) {
       table.word("convention", {word(ModulusConvention::true_shear), word(ModulusConvention::mu_over_alpha)},
                  static_cast<int>(otherwise.convention)));
   input.measure = static_cast<StrainMeasure>(table.word(
-      "strain_measure", {word(StrainMeasure::engineering), word(StrainMeasure::true_strain), word(StrainMeasure::green_lagrange)},
+      "strain_measure",
+      {word(StrainMeasure::engineering), word(StrainMeasure::true_strain), word(StrainMeasure::green_lagrange)},
       static_cast<int>(otherwise.measure)));
   for (const auto& quantity : system_quantities()) read_number(table, quantity, input.system);
   if (input.system.erosion_strain && input.measure != StrainMeasure::engineering)
-    input.system.erosion_strain = strain_at(stretch_at(*input.system.erosion_strain, input.measure), StrainMeasure::engineering);
+    input.system.erosion_strain =
+        strain_at(stretch_at(*input.system.erosion_strain, input.measure), StrainMeasure::engineering);
   take_true_modulus(table, input, otherwise);
   return input;
 }

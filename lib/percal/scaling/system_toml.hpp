@@ -17,7 +17,8 @@ struct SystemInput {
 
 // Keys: particle, target (names); convention ("true", "mu/alpha"), strain_measure ("engineering", "true",
 // "green-lagrange"); and the keys of system_quantities(). Where the table does not say them, conventions, and the alpha
-// that a modulus of convention "mu/alpha" needs, are `otherwise`'s. Throws BadInput as TomlTable does; does not finish().
+// that a modulus of convention "mu/alpha" needs, are `otherwise`'s. Throws BadInput as TomlTable does; does not
+// finish().
 SystemInput read_system(const TomlTable& table, const SystemInput& otherwise);
 
 // Only the keys that describe a response: penetration, strain_rate, time.

@@ -29,7 +29,8 @@ std::vector<Shot> read_shots(const CsvTable& table, const ShotColumns& columns) 
   double radius_over_size = columns.radius.empty() ? 0.5 : 1;
   std::vector<Shot> shots;
   for (std::size_t i = 0; i < depths.size(); ++i)
-    shots.push_back({.density = densities[i], .radius = sizes[i] * radius_over_size, .speed = speeds[i], .depth = depths[i]});
+    shots.push_back(
+        {.density = densities[i], .radius = sizes[i] * radius_over_size, .speed = speeds[i], .depth = depths[i]});
   return shots;
 }
 

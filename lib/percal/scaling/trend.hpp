@@ -1,5 +1,5 @@
-// Depth against the impact parameter rho v a: the shots, their straight line, and depths that follow from it in a similar
-// system (Guha 2009, Figure 4-2 and Table 4-4).
+// Depth against the impact parameter rho v a: the shots, their straight line, and depths that follow from it in a
+// similar system (Guha 2009, Figure 4-2 and Table 4-4).
 #pragma once
 #include <span>
 #include <string>
@@ -42,7 +42,8 @@ Line depth_trend(std::span<const Shot> shots);
 // v_m / v (pi4). `model` needs radius and particle density; BadInput says which one is missing.
 double depth_from_model(const Line& line, const System& model, double speed_ratio, const System& prototype);
 
-// The radius of a sphere of this mass, and the scale of an equally thick prism that brings its mass from one to another.
+// The radius of a sphere of this mass, and the scale of an equally thick prism that brings its mass from one to
+// another.
 double equal_mass_radius(double mass, double density);
 double equal_mass_prism_scale(double mass_from, double mass_to);
 

@@ -1,5 +1,5 @@
-// An impact as the user wrote it, in SI. problem/ turns it into the dimensionless problem that is solved.
-// What a scene may leave out is a variant with an empty alternative or an optional; left out means: not there, not zero.
+// An impact as the user wrote it, in SI. problem/ turns it into the dimensionless problem that is solved. What a scene
+// may leave out is a variant with an empty alternative or an optional; left out means: not there, not zero.
 #pragma once
 #include <optional>
 #include <string>

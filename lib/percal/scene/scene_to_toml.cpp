@@ -14,8 +14,10 @@ std::string text(std::string_view value) {
   for (const char c : value) {
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') result += '\\';
-    if (code < 0x20 || code == 0x7f) result += fmt::format("\\u{:04x}", code);
-    else result += c;
+    if (code < 0x20 || code == 0x7f)
+      result += fmt::format("\\u{:04x}", code);
+    else
+      result += c;
   }
   return result + '"';
 }
@@ -34,7 +36,9 @@ class Lines {
   }
   void table(const char* name) { lines_ += fmt::format("{}[{}]\n", lines_.empty() ? "" : "\n", name); }
   void word(const char* key, std::string_view value) { lines_ += fmt::format("{} = {}\n", key, text(value)); }
-  void quantity(const char* key, double si_value, const char* unit) { lines_ += fmt::format("{} = \"{} {}\"\n", key, si_value, unit); }
+  void quantity(const char* key, double si_value, const char* unit) {
+    lines_ += fmt::format("{} = \"{} {}\"\n", key, si_value, unit);
+  }
   void number(const char* key, double value) { lines_ += fmt::format("{} = {}\n", key, value); }
   void integer(const char* key, int value) { lines_ += fmt::format("{} = {}\n", key, value); }
   void flag(const char* key, bool value) { lines_ += fmt::format("{} = {}\n", key, value); }

@@ -11,8 +11,8 @@ namespace percal {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double smallest_alpha = 1e-3;      // the solver divides by alpha
-constexpr double largest_time_step = 1.2;    // beyond it nothing is stable; docs/formats/scene.md
+constexpr double smallest_alpha = 1e-3;    // the solver divides by alpha
+constexpr double largest_time_step = 1.2;  // beyond it nothing is stable; docs/formats/scene.md
 constexpr int most_elements_per_radius = 1000;
 constexpr int most_graded_columns = 10000;
 constexpr int most_replicates = 1000;
@@ -42,7 +42,10 @@ Erosion read_erosion(const TomlTable& target) {
 }
 
 VolumetricChoice read_volumetric(const TomlTable& target) {
-  const auto nu = target.optional_number("nu", {.low = -1, .high = 0.5, .low_open = true, .high_open = true,
+  const auto nu = target.optional_number("nu", {.low = -1,
+                                                .high = 0.5,
+                                                .low_open = true,
+                                                .high_open = true,
                                                 .words = "a number between -1 and 0.5, both excluded"});
   const auto ratio = target.optional_number("bulk_to_shear", positive("number (K/mu)"));
   if (nu && ratio) target.refuse("bulk_to_shear", "this beside nu", "one of the two, or neither (K is then chosen)");
@@ -56,7 +59,8 @@ void read_ogden(const TomlTable& table, LayerScene& target) {
       table.word("convention", {word(ModulusConvention::true_shear), word(ModulusConvention::mu_over_alpha)}, 0));
   target.alpha = table.number("alpha", any_number());
   if (std::abs(target.alpha) < smallest_alpha) {
-    table.refuse("alpha", fmt::format("{}", target.alpha), "a number from 0.001 up or from -0.001 down; alpha = 0 is not solved so far");
+    table.refuse("alpha", fmt::format("{}", target.alpha),
+                 "a number from 0.001 up or from -0.001 down; alpha = 0 is not solved so far");
   }
   target.mu_as_given = table.quantity("mu", dimension::pressure, any_number());
   const double mu = true_modulus(target.mu_as_given, target.alpha, target.convention);
@@ -69,7 +73,9 @@ void read_ogden(const TomlTable& table, LayerScene& target) {
 }
 
 Range larger_than_radius(const SphereScene& particle) {
-  return {.low = particle.radius, .high = infinity, .low_open = true,
+  return {.low = particle.radius,
+          .high = infinity,
+          .low_open = true,
           .words = "a length above the particle's radius of " + format_quantity(particle.radius, dimension::length)};
 }
 
@@ -88,10 +94,14 @@ LayerScene read_target(const TomlTable& table, const SphereScene& particle) {
 
 MeshScene read_mesh(const TomlTable& table, double width_in_radii) {
   MeshScene mesh;
-  mesh.elements_per_radius = table.integer("elements_per_radius", 1, most_elements_per_radius, mesh.elements_per_radius);
+  mesh.elements_per_radius =
+      table.integer("elements_per_radius", 1, most_elements_per_radius, mesh.elements_per_radius);
   constexpr double rounding = 1 + 1e-12;  // of width/radius
-  const Range within_target{.low = 0, .high = width_in_radii * rounding, .low_open = true,
-                            .words = fmt::format("a number of radii above 0 and up to the target's width, {:.4g}", width_in_radii)};
+  const Range within_target{
+      .low = 0,
+      .high = width_in_radii * rounding,
+      .low_open = true,
+      .words = fmt::format("a number of radii above 0 and up to the target's width, {:.4g}", width_in_radii)};
   mesh.fine_width = table.number("fine_width", within_target, mesh.fine_width);
   mesh.graded_columns = table.optional_integer("graded_columns", 1, most_graded_columns);
   return mesh;
@@ -122,7 +132,8 @@ Scene scene_from(const TomlTable& table) {
   const double width_in_radii = scene.target.width / scene.particle.radius;
   if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, width_in_radii);
   if (const auto solver = table.optional_table("solver")) scene.solver = read_solver(*solver);
-  if (const auto output = table.optional_table("output")) scene.output.history = output->flag("history", scene.output.history);
+  if (const auto output = table.optional_table("output"))
+    scene.output.history = output->flag("history", scene.output.history);
   scene.replicates = table.integer("replicates", 1, most_replicates, scene.replicates);
   return scene;
 }

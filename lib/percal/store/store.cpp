@@ -15,7 +15,7 @@ namespace {
 
 constexpr int application_id = 0x50434c53;  // "PCLS": tells a store from other SQLite files
 constexpr int schema_version = 1;
-constexpr int busy_milliseconds = 60000;    // how long another process may hold the write lock
+constexpr int busy_milliseconds = 60000;  // how long another process may hold the write lock
 
 constexpr const char* schema = R"sql(
   CREATE TABLE evaluations (
@@ -111,7 +111,8 @@ struct Store::Connection {
     if (sqlite3_db_readonly(database.get(), "main") == 1) throw IoFailure(path + ": cannot be written");
   }
 
-  // WAL lets others read while one writes. Switching to it needs the file for oneself, and does not wait for it by itself.
+  // WAL lets others read while one writes. Switching to it needs the file for oneself, and does not wait for it by
+  // itself.
   void switch_to_wal() const {
     constexpr auto pause = std::chrono::milliseconds(5);
     for (int waited = 0;; waited += 5) {
@@ -145,13 +146,15 @@ struct Store::Connection {
 
   void prepare_statements() {
     select = prepare("SELECT outcome, payload, cpu_seconds FROM evaluations WHERE key = ?1");
-    insert = prepare("INSERT INTO evaluations (key, outcome, payload, cpu_seconds, created)"
-                     " VALUES (?1, ?2, ?3, ?4, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) ON CONFLICT (key) DO NOTHING");
+    insert = prepare(
+        "INSERT INTO evaluations (key, outcome, payload, cpu_seconds, created)"
+        " VALUES (?1, ?2, ?3, ?4, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) ON CONFLICT (key) DO NOTHING");
     count = prepare("SELECT count(*) FROM evaluations");
   }
 
   void bind(const Statement& statement, int index, const std::string& text) const {
-    if (sqlite3_bind_text64(statement.get(), index, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8) != SQLITE_OK) {
+    if (sqlite3_bind_text64(statement.get(), index, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8) !=
+        SQLITE_OK) {
       fail("cannot use the text of an evaluation");
     }
   }
@@ -171,17 +174,20 @@ struct Reset {
 
 std::string text_at(const Statement& statement, int column) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement.get(), column));
-  return text ? std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement.get(), column))) : std::string();
+  return text ? std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement.get(), column)))
+              : std::string();
 }
 
 // SQLite gives some names a meaning of their own (":memory:", ""); a path from the root has none.
 std::string full_path(const std::string& path) {
-  if (path.empty() || path.find('\0') != std::string::npos) throw IoFailure("the name of the store may not be empty or hold a zero byte");
+  if (path.empty() || path.find('\0') != std::string::npos)
+    throw IoFailure("the name of the store may not be empty or hold a zero byte");
   std::error_code error;
   const auto full = std::filesystem::absolute(path, error);
   if (error) throw IoFailure(path + ": " + error.message());
   std::filesystem::create_directories(full.parent_path(), error);
-  if (error) throw IoFailure(full.parent_path().string() + ": cannot create the folder of the store: " + error.message());
+  if (error)
+    throw IoFailure(full.parent_path().string() + ": cannot create the folder of the store: " + error.message());
   return full.string();
 }
 
@@ -212,7 +218,8 @@ std::optional<StoredEvaluation> Store::find(const std::string& key) const {
   return StoredEvaluation{text_at(select, 0), text_at(select, 1), sqlite3_column_double(select.get(), 2)};
 }
 
-// One statement is one transaction: it takes the write lock, waiting for it, and is synced to the disk before step returns.
+// One statement is one transaction: it takes the write lock, waiting for it, and is synced to the disk before step
+// returns.
 void Store::put(const std::string& key, const StoredEvaluation& evaluation) {
   const std::lock_guard lock(connection_->mutex);
   const auto& insert = connection_->insert;

@@ -1,5 +1,5 @@
-// Finished evaluations on disk (SQLite, WAL), keyed by the canonical text of a dimensionless problem. What is in the store
-// is never computed again; what was killed half-way is not in it.
+// Finished evaluations on disk (SQLite, WAL), keyed by the canonical text of a dimensionless problem. What is in the
+// store is never computed again; what was killed half-way is not in it.
 #pragma once
 #include <memory>
 #include <optional>
@@ -8,13 +8,14 @@
 namespace percal {
 
 struct StoredEvaluation {
-  std::string outcome;      // "stopped", "passed through", ...: failures are stored as failures
-  std::string payload;      // JSON text of the observation
-  double cpu_seconds = 0;   // what it cost
+  std::string outcome;     // "stopped", "passed through", ...: failures are stored as failures
+  std::string payload;     // JSON text of the observation
+  double cpu_seconds = 0;  // what it cost
   bool operator==(const StoredEvaluation&) const = default;
 };
 
-// Safe to use from several threads of one process and from several processes on one machine. Not for network file systems.
+// Safe to use from several threads of one process and from several processes on one machine. Not for network file
+// systems.
 class Store {
  public:
   // Opens or creates. Throws IoFailure (unwritable folder, not a store, a newer schema).

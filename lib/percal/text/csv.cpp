@@ -105,14 +105,14 @@ std::vector<CsvColumn> read_header(const Line& line, char separator, const std::
   auto cells = split_cells(line.text, separator);
   if (!cells) throw BadInput({file, line.number, ""}, "a quoted cell that is not closed", "column names");
   while (!cells->empty() && cells->back().empty()) cells->pop_back();
-  if (std::all_of(cells->begin(), cells->end(), [](const auto& cell) {
-        return parse_number(cell, false).value || parse_number(cell, true).value;
-      }))
+  if (std::all_of(cells->begin(), cells->end(),
+                  [](const auto& cell) { return parse_number(cell, false).value || parse_number(cell, true).value; }))
     throw BadInput({file, line.number, ""}, "numbers in the first line", "a header with the names of the columns");
   std::vector<CsvColumn> columns;
   for (const auto& cell : *cells) {
     const bool twice = std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.header == cell; });
-    if (twice && !cell.empty()) throw BadInput({file, line.number, ""}, "the column " + in_quotes(cell) + " twice", "one column of a name");
+    if (twice && !cell.empty())
+      throw BadInput({file, line.number, ""}, "the column " + in_quotes(cell) + " twice", "one column of a name");
     columns.push_back(split_header(cell));
   }
   return columns;
@@ -138,18 +138,20 @@ CsvTable parse_csv(const std::string& given, const std::string& name) {
   for (std::size_t i = 1; i < lines.size(); ++i) {
     auto cells = split_cells(lines[i].text, table.dialect.separator);
     if (!cells) {
-      faults.add(lines[i].number, "found a quoted cell that is not closed; accepted: \"...\" within one line, a quote inside doubled");
+      faults.add(lines[i].number,
+                 "found a quoted cell that is not closed; accepted: \"...\" within one line, a quote inside doubled");
       continue;
     }
     if (std::all_of(cells->begin(), cells->end(), [](const auto& cell) { return cell.empty(); })) continue;
     while (cells->size() > width && cells->back().empty()) cells->pop_back();
     if (cells->size() != width)
-      faults.add(lines[i].number, fmt::format("found {} cell{}; accepted: {}, one for each column of the header", cells->size(),
-                                              cells->size() == 1 ? "" : "s", width));
+      faults.add(lines[i].number, fmt::format("found {} cell{}; accepted: {}, one for each column of the header",
+                                              cells->size(), cells->size() == 1 ? "" : "s", width));
     table.rows.push_back({lines[i].number, std::move(*cells)});
   }
   faults.throw_if_any();
-  if (table.rows.empty()) throw BadInput({name, table.header_line, ""}, "a header without rows", "at least one row of numbers");
+  if (table.rows.empty())
+    throw BadInput({name, table.header_line, ""}, "a header without rows", "at least one row of numbers");
   if (table.dialect.separator != ',')
     table.dialect.decimal_comma = std::any_of(table.rows.begin(), table.rows.end(), [](const CsvRow& row) {
       return std::any_of(row.cells.begin(), row.cells.end(), looks_like_decimal_comma);

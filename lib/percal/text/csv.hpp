@@ -1,5 +1,5 @@
-// CSV as people have it: comments (#), a header whose columns may carry units, CRLF, a byte-order mark, commas, semicolons
-// (with decimal commas) or tabs, quoted cells, trailing separators.
+// CSV as people have it: comments (#), a header whose columns may carry units, CRLF, a byte-order mark, commas,
+// semicolons (with decimal commas) or tabs, quoted cells, trailing separators.
 #pragma once
 #include <optional>
 #include <string>
@@ -41,17 +41,17 @@ class CsvTable {
   // As find, but throws BadInput that lists the columns there are.
   int column(const std::string& column) const;
 
-  // All cells of a column as finite SI numbers with the given dimension. The unit comes from the header; a column without a
-  // unit is refused unless the dimension is none or `default_unit` names one. Percentages and degrees are dimensionless and
-  // stay as they stand. Every bad line is named in one BadInput.
+  // All cells of a column as finite SI numbers with the given dimension. The unit comes from the header; a column
+  // without a unit is refused unless the dimension is none or `default_unit` names one. Percentages and degrees are
+  // dimensionless and stay as they stand. Every bad line is named in one BadInput.
   std::vector<double> numbers(int column, const Dimension&, const std::string& default_unit = "") const;
   std::vector<double> numbers(const std::string& column, const Dimension&, const std::string& default_unit = "") const;
   // As above with empty cells allowed.
   std::vector<std::optional<double>> optional_numbers(const std::string& column, const Dimension&) const;
   std::vector<std::string> texts(const std::string& column) const;
 
-  // Only the rows where COLUMN=VALUE for every condition (text compared exactly, or as numbers where both are; the first '='
-  // divides). Throws BadInput that lists the values there are when a condition leaves no row.
+  // Only the rows where COLUMN=VALUE for every condition (text compared exactly, or as numbers where both are; the
+  // first '=' divides). Throws BadInput that lists the values there are when a condition leaves no row.
   CsvTable where(const std::vector<std::string>& conditions) const;
 };
 

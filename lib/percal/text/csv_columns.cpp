@@ -31,15 +31,17 @@ std::string dimension_words(const Dimension& wanted) {
   return wanted == dimension::none ? "a dimensionless column" : units_of(wanted);
 }
 
-// The unit of a column whose numbers it changes, empty where they are SI as they stand. Throws BadInput where the header's unit
-// is missing, unknown or of another dimension.
-std::string unit_of(const CsvTable& table, const CsvColumn& column, const Dimension& wanted, const std::string& default_unit) {
+// The unit of a column whose numbers it changes, empty where they are SI as they stand. Throws BadInput where the
+// header's unit is missing, unknown or of another dimension.
+std::string unit_of(const CsvTable& table, const CsvColumn& column, const Dimension& wanted,
+                    const std::string& default_unit) {
   const Place place{table.file, table.header_line, column.header};
   const std::string& unit = column.unit.empty() ? default_unit : column.unit;
   if (unit.empty()) {
     if (wanted == dimension::none) return "";
-    throw BadInput(place, "a column without a unit",
-                   fmt::format("the unit in the header, \"{0}_UNIT\" or \"{0} [UNIT]\" with {1}", column.name, units_of(wanted)));
+    throw BadInput(
+        place, "a column without a unit",
+        fmt::format("the unit in the header, \"{0}_UNIT\" or \"{0} [UNIT]\" with {1}", column.name, units_of(wanted)));
   }
   try {
     const Quantity one = column_unit(unit);
@@ -50,7 +52,8 @@ std::string unit_of(const CsvTable& table, const CsvColumn& column, const Dimens
   throw BadInput(place, "the unit " + unit, dimension_words(wanted));
 }
 
-// Rounded once, as the same quantity in a TOML file is, so that both have the same bits. nullopt where it is not finite.
+// Rounded once, as the same quantity in a TOML file is, so that both have the same bits. nullopt where it is not
+// finite.
 std::optional<double> in_si(double number, const std::string& unit) {
   if (unit.empty()) return number;
   try {
@@ -79,7 +82,8 @@ std::vector<std::optional<double>> read_numbers(const CsvTable& table, int index
     }
     values.back() = in_si(*number.value, unit);
     if (!values.back())
-      faults.add(row.line, column.header + ": found " + in_quotes(cell) + "; accepted: a number that is finite in SI units");
+      faults.add(row.line,
+                 column.header + ": found " + in_quotes(cell) + "; accepted: a number that is finite in SI units");
   }
   faults.throw_if_any();
   return values;
@@ -125,7 +129,8 @@ std::optional<int> CsvTable::find(const std::string& wanted) const {
   }
   const auto& found = by_header.empty() ? by_name : by_header;
   if (found.size() > 1)
-    throw BadInput({file, header_line, wanted}, "a name of several columns", "one of the headers as written: " + headers(*this));
+    throw BadInput({file, header_line, wanted}, "a name of several columns",
+                   "one of the headers as written: " + headers(*this));
   if (found.empty()) return std::nullopt;
   return found[0];
 }
@@ -143,7 +148,8 @@ std::vector<double> CsvTable::numbers(int index, const Dimension& wanted, const 
   return values;
 }
 
-std::vector<double> CsvTable::numbers(const std::string& name, const Dimension& wanted, const std::string& default_unit) const {
+std::vector<double> CsvTable::numbers(const std::string& name, const Dimension& wanted,
+                                      const std::string& default_unit) const {
   return numbers(column(name), wanted, default_unit);
 }
 
@@ -171,7 +177,8 @@ CsvTable CsvTable::where(const std::vector<std::string>& conditions) const {
     for (const auto& row : kept.rows)
       if (same_value(row.cells[index], value, dialect.decimal_comma)) matching.push_back(row);
     if (matching.empty())
-      throw BadInput({file, 0, columns[index].header}, "no row with " + in_quotes(value), values_there_are(kept, index));
+      throw BadInput({file, 0, columns[index].header}, "no row with " + in_quotes(value),
+                     values_there_are(kept, index));
     kept.rows = std::move(matching);
   }
   return kept;

@@ -5,8 +5,8 @@
 
 namespace percal {
 
-// Collects faults line by line; throw_if_any() makes one BadInput of them. The first 50 are told in full, of the rest only
-// the line numbers.
+// Collects faults line by line; throw_if_any() makes one BadInput of them. The first 50 are told in full, of the rest
+// only the line numbers.
 class LineFaults {
  public:
   explicit LineFaults(std::string file) : file_(std::move(file)) {}

@@ -10,8 +10,8 @@ namespace percal {
 namespace {
 
 // Dimensionless units that quantities do not know, taken as they stand.
-constexpr std::array taken_as_they_stand = {"%",   "pct", "percent", "wtpct", "wt%", "wt %", "wt_pct", "wt_percent",
-                                            "vol%", "volpct", "deg", "\xC2\xB0"};
+constexpr std::array taken_as_they_stand = {"%",      "pct",        "percent", "wtpct",  "wt%", "wt %",
+                                            "wt_pct", "wt_percent", "vol%",    "volpct", "deg", "\xC2\xB0"};
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -26,7 +26,8 @@ std::string trim(const std::string& text) {
 
 bool stands_as_it_is(const std::string& unit) {
   const std::string word = lower(unit);
-  return std::any_of(taken_as_they_stand.begin(), taken_as_they_stand.end(), [&](const char* known) { return word == known; });
+  return std::any_of(taken_as_they_stand.begin(), taken_as_they_stand.end(),
+                     [&](const char* known) { return word == known; });
 }
 
 bool is_unit(const std::string& text) {

@@ -25,7 +25,9 @@ namespace fs = std::filesystem;
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { if (number_ >= 0) ::close(number_); }
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int number() const { return number_; }
@@ -42,7 +44,9 @@ class TemporaryName {
     static std::atomic<unsigned> counter{0};
     name_ = (folder / (".percal-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp")).string();
   }
-  ~TemporaryName() { if (!name_.empty()) ::unlink(name_.c_str()); }
+  ~TemporaryName() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
   TemporaryName(const TemporaryName&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;
   const char* text() const { return name_.c_str(); }
@@ -77,7 +81,8 @@ void create_folders(const fs::path& folder) {
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-// What is neither a file nor a folder (/dev/stdout, a pipe) is written to as it stands: renaming over it would replace it.
+// What is neither a file nor a folder (/dev/stdout, a pipe) is written to as it stands: renaming over it would replace
+// it.
 void write_in_place(const std::string& path, const std::string& content) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (file.number() < 0) fail(path, "cannot write", errno);
@@ -109,7 +114,8 @@ void replace(const fs::path& target, const std::string& content, const std::stri
 }  // namespace
 
 void write_file(const std::string& path, const std::string& content) {
-  if (path.empty() || path.find('\0') != std::string::npos) throw IoFailure("a file name may not be empty or hold a zero byte");
+  if (path.empty() || path.find('\0') != std::string::npos)
+    throw IoFailure("a file name may not be empty or hold a zero byte");
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) fail(path, "cannot write", EISDIR);
@@ -123,14 +129,17 @@ void write_file(const std::string& path, const std::string& content) {
 
 std::string read_file(const std::string& path) {
   constexpr std::size_t largest = std::size_t{1} << 30;  // bytes; no input of this program is near it
-  if (path.empty() || path.find('\0') != std::string::npos) throw BadInput("a file name may not be empty or hold a zero byte");
+  if (path.empty() || path.find('\0') != std::string::npos)
+    throw BadInput("a file name may not be empty or hold a zero byte");
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) {
-    if (errno == ENOENT || errno == ENOTDIR || errno == ELOOP || errno == ENAMETOOLONG) throw BadInput(path + ": there is no such file");
+    if (errno == ENOENT || errno == ENOTDIR || errno == ELOOP || errno == ENAMETOOLONG)
+      throw BadInput(path + ": there is no such file");
     fail(path, "cannot read", errno);
   }
   struct stat status;
-  if (::fstat(file.number(), &status) == 0 && S_ISDIR(status.st_mode)) throw BadInput(path + ": is a folder, not a file");
+  if (::fstat(file.number(), &status) == 0 && S_ISDIR(status.st_mode))
+    throw BadInput(path + ": is a folder, not a file");
   std::string content;
   char block[1 << 16];
   for (;;) {

@@ -9,11 +9,12 @@ namespace percal {
 // A link is followed, the permissions of a file that was there are kept, and a device or pipe is written to directly.
 void write_file(const std::string& path, const std::string& content);
 
-// The whole file. Throws BadInput where it is not there, is a folder or larger than 1 GiB, IoFailure where it cannot be read.
+// The whole file. Throws BadInput where it is not there, is a folder or larger than 1 GiB, IoFailure where it cannot be
+// read.
 std::string read_file(const std::string& path);
 
-// Makes sure that results can be written to `folder` before anything is computed: creates it and writes, syncs and removes a
-// probe. Throws IoFailure.
+// Makes sure that results can be written to `folder` before anything is computed: creates it and writes, syncs and
+// removes a probe. Throws IoFailure.
 void ensure_writable_folder(const std::string& folder);
 
 }  // namespace percal

@@ -3,16 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
-#define TOML_MAX_NESTED_VALUES 32  // with most_dots below this bounds the depth of a document, and so the stack it needs
+#define TOML_MAX_NESTED_VALUES \
+  32  // with most_dots below this bounds the depth of a document, and so the stack it needs
+// toml++ 3.3 asserts that a table header begins with a key, or tells Clang to take it for granted; "[=" does not.
+// Without the assertion it goes on to report an error.
+#define TOML_ASSERT(expression) static_assert(true)
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace percal {
 namespace {
@@ -43,8 +48,10 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     int dots = 0;
-    for (std::size_t at = line.find('.'); at != line.npos; at = line.find('.', at + 1)) dots += !is_decimal_point(line, at);
-    if (dots > most_dots) throw BadInput({file, number, ""}, "a line with more than 100 dots", "keys nested a few levels deep");
+    for (std::size_t at = line.find('.'); at != line.npos; at = line.find('.', at + 1))
+      dots += !is_decimal_point(line, at);
+    if (dots > most_dots)
+      throw BadInput({file, number, ""}, "a line with more than 100 dots", "keys nested a few levels deep");
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     ++number;
   }
@@ -67,27 +74,6 @@ std::optional<double> as_number(const toml::node& node) {
   return std::nullopt;
 }
 
-std::string words_of(const Range& range) {
-  if (!range.words.empty()) return range.words;
-  const bool has_low = std::isfinite(range.low), has_high = std::isfinite(range.high);
-  std::string text = "a number";
-  if (has_low) text += fmt::format(" {} {}", range.low_open ? "above" : "from", range.low);
-  if (has_low && has_high) text += " and";
-  if (has_high) text += fmt::format(" {} {}", range.high_open ? "below" : "up to", range.high);
-  return text;
-}
-
-bool contains(const Range& range, double value) {
-  return std::isfinite(value) && (range.low_open ? value > range.low : value >= range.low) &&
-         (range.high_open ? value < range.high : value <= range.high);
-}
-
-std::string accepted_quantity(const Dimension& dimension, const Range& range) {
-  if (dimension == dimension::none) return words_of(range);
-  const std::string units = units_of(dimension);
-  return fmt::format("{} with its unit, such as \"5 {}\" ({})", words_of(range), units.substr(0, units.find(',')), units);
-}
-
 std::string accepted_integer(int low, int high) { return fmt::format("a whole number from {} to {}", low, high); }
 
 std::string accepted_words(const std::vector<std::string>& words) {
@@ -98,25 +84,7 @@ std::string accepted_words(const std::vector<std::string>& words) {
 
 int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
 
-std::string with_article(const std::string& noun) {
-  const bool vowel = !noun.empty() && std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
-  return (vowel ? "an " : "a ") + noun;
-}
-
 }  // namespace
-
-Range positive(const std::string& what) {
-  return {.low = 0, .high = std::numeric_limits<double>::infinity(), .low_open = true, .words = "a positive " + what};
-}
-
-Range not_negative(const std::string& what) {
-  return {.low = 0, .high = std::numeric_limits<double>::infinity(), .words = with_article(what) + " not below zero"};
-}
-
-Range any_number() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {.low = -infinity, .high = infinity, .words = "a finite number"};
-}
 
 // A table with what has been asked of it. Children are shared, so that asking twice for a table gives the same one.
 struct TomlTable::Node {
@@ -156,8 +124,9 @@ struct TomlTable::Node {
     throw BadInput(place(key), found, accepted);
   }
 
-  double checked_quantity(const std::string& key, const toml::node& at, const Dimension& dimension, const Range& range) const {
-    const std::string accepted = accepted_quantity(dimension, range);
+  double checked_quantity(const std::string& key, const toml::node& at, const Dimension& dimension,
+                          const Range& range) const {
+    const std::string accepted = words_of(range, dimension);
     if (const auto number = as_number(at)) {
       if (dimension == dimension::none) return checked_number(key, at, range);
       throw BadInput(place(key, &at), described(at) + " without a unit", accepted);
@@ -168,7 +137,8 @@ struct TomlTable::Node {
       const Quantity quantity = parse_quantity(text->get());
       if (quantity.dimension == dimension && contains(range, quantity.value)) return quantity.value;
       if (quantity.dimension == dimension) refuse(key, at, accepted);
-      const std::string kind = quantity.dimension == dimension::none ? "number without a unit" : name_of(quantity.dimension);
+      const std::string kind =
+          quantity.dimension == dimension::none ? "number without a unit" : name_of(quantity.dimension);
       throw BadInput(place(key, &at), described(at) + ", " + with_article(kind), accepted);
     } catch (const std::invalid_argument& error) {
       throw BadInput(place(key, &at), fmt::format("{}: {}", described(at), error.what()), accepted);
@@ -224,22 +194,25 @@ struct TomlTable::Node {
 
 TomlTable::TomlTable(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 
-std::optional<double> TomlTable::optional_quantity(const std::string& key, const Dimension& dimension, const Range& range) const {
+std::optional<double> TomlTable::optional_quantity(const std::string& key, const Dimension& dimension,
+                                                   const Range& range) const {
   const auto* at = node_->ask(key);
   return at ? std::optional(node_->checked_quantity(key, *at, dimension, range)) : std::nullopt;
 }
 
 double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range) const {
   if (const auto value = optional_quantity(key, dimension, range)) return *value;
-  node_->missing(key, accepted_quantity(dimension, range));
+  node_->missing(key, words_of(range, dimension));
 }
 
-double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range, double fallback) const {
+double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range,
+                           double fallback) const {
   return optional_quantity(key, dimension, range).value_or(fallback);
 }
 
-std::vector<double> TomlTable::quantities(const std::string& key, const Dimension& dimension, const Range& range) const {
-  return node_->elements(key, "an array, each element " + accepted_quantity(dimension, range),
+std::vector<double> TomlTable::quantities(const std::string& key, const Dimension& dimension,
+                                          const Range& range) const {
+  return node_->elements(key, "an array, each element " + words_of(range, dimension),
                          [&](const std::string& name, const toml::node& at) {
                            return node_->checked_quantity(name, at, dimension, range);
                          });
@@ -260,16 +233,17 @@ double TomlTable::number(const std::string& key, const Range& range, double fall
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, const Range& range) const {
-  return node_->elements(key, "an array, each element " + words_of(range), [&](const std::string& name, const toml::node& at) {
-    return node_->checked_number(name, at, range);
-  });
+  return node_->elements(
+      key, "an array, each element " + words_of(range),
+      [&](const std::string& name, const toml::node& at) { return node_->checked_number(name, at, range); });
 }
 
 std::optional<int> TomlTable::optional_integer(const std::string& key, int low, int high) const {
   const auto* at = node_->ask(key);
   if (!at) return std::nullopt;
   const auto* number = at->as_integer();
-  if (at->is_floating_point()) throw BadInput(place(key), "the decimal number " + described(*at), accepted_integer(low, high));
+  if (at->is_floating_point())
+    throw BadInput(place(key), "the decimal number " + described(*at), accepted_integer(low, high));
   if (!number || number->get() < low || number->get() > high) node_->refuse(key, *at, accepted_integer(low, high));
   return static_cast<int>(number->get());
 }
@@ -306,9 +280,8 @@ std::string TomlTable::text(const std::string& key, const std::string& fallback)
 }
 
 std::vector<std::string> TomlTable::texts(const std::string& key) const {
-  return node_->elements(key, "an array of texts in quotes", [&](const std::string& name, const toml::node& at) {
-    return node_->checked_text(name, at);
-  });
+  return node_->elements(key, "an array of texts in quotes",
+                         [&](const std::string& name, const toml::node& at) { return node_->checked_text(name, at); });
 }
 
 int TomlTable::word(const std::string& key, const std::vector<std::string>& accepted) const {
@@ -319,7 +292,8 @@ int TomlTable::word(const std::string& key, const std::vector<std::string>& acce
   const auto found = std::find(accepted.begin(), accepted.end(), text->get());
   if (found != accepted.end()) return static_cast<int>(found - accepted.begin());
   const auto near = nearest_word(text->get(), accepted);
-  throw BadInput(place(key), described(*at) + (near ? " (did you mean " + in_quotes(*near) + "?)" : ""), accepted_words(accepted));
+  throw BadInput(place(key), described(*at) + (near ? " (did you mean " + in_quotes(*near) + "?)" : ""),
+                 accepted_words(accepted));
 }
 
 int TomlTable::word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const {
@@ -360,9 +334,8 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
 std::vector<std::string> TomlTable::keys() const {
   std::vector<const toml::key*> found;
   for (const auto& [name, value] : *node_->table) found.push_back(&name);
-  std::stable_sort(found.begin(), found.end(), [](const toml::key* a, const toml::key* b) {
-    return a->source().begin < b->source().begin;
-  });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const toml::key* a, const toml::key* b) { return a->source().begin < b->source().begin; });
   std::vector<std::string> names;
   for (const auto* name : found) names.emplace_back(name->str());
   return names;
@@ -406,10 +379,12 @@ TomlTable parse_toml(const std::string& text, const std::string& name) {
   try {
     auto document = std::make_shared<const Document>(Document{name, toml::parse(text)});
     const toml::table* root = &document->root;
-    return TomlTable(std::make_shared<const TomlTable::Node>(TomlTable::Node{std::move(document), root, "", 0, {}, {}}));
+    return TomlTable(
+        std::make_shared<const TomlTable::Node>(TomlTable::Node{std::move(document), root, "", 0, {}, {}}));
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
-    throw BadInput(fmt::format("{}:{}: not valid TOML (column {}): {}", name, begin.line, begin.column, error.description()));
+    throw BadInput(
+        fmt::format("{}:{}: not valid TOML (column {}): {}", name, begin.line, begin.column, error.description()));
   }
 }
 

@@ -9,27 +9,15 @@
 #include <vector>
 
 #include "percal/base/error.hpp"
+#include "percal/text/range.hpp"
 #include "percal/units/quantity.hpp"
 
 namespace percal {
 
-// Closed or open bounds of a number, checked on reading. `words` says them in the message: "a positive length"; left
-// empty they are made from the bounds. NaN and infinity are in no range.
-struct Range {
-  double low;
-  double high;
-  bool low_open = false;
-  bool high_open = false;
-  std::string words = {};
-};
-Range positive(const std::string& what = "number");      // (0, inf), "a positive WHAT"
-Range not_negative(const std::string& what = "number");  // [0, inf), "a WHAT not below zero"
-Range any_number();                                      // finite
-
-// One table of a TOML file. Every getter marks its key as known; finish() throws BadInput for the keys that nobody asked
-// for, with the nearest known key as a suggestion. Getters without a fallback throw BadInput where the key is missing.
-// Messages give the dotted path: "target.erosion.strain", "points[2].depth" (the second of [[points]]). Copies, and tables
-// asked for twice, share what has been asked. A table may be used by one thread at a time.
+// One table of a TOML file. Every getter marks its key as known; finish() throws BadInput for the keys that nobody
+// asked for, with the nearest known key as a suggestion. Getters without a fallback throw BadInput where the key is
+// missing. Messages give the dotted path: "target.erosion.strain", "points[2].depth" (the second of [[points]]).
+// Copies, and tables asked for twice, share what has been asked. A table may be used by one thread at a time.
 class TomlTable {
  public:
   struct Node;  // toml++ stays in the .cpp
@@ -57,11 +45,11 @@ class TomlTable {
   int word(const std::string& key, const std::vector<std::string>& accepted) const;
   int word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const;
 
-  bool has(const std::string& key) const;  // marks nothing as known
-  TomlTable table(const std::string& key) const;                            // must be there
+  bool has(const std::string& key) const;         // marks nothing as known
+  TomlTable table(const std::string& key) const;  // must be there
   std::optional<TomlTable> optional_table(const std::string& key) const;
-  std::vector<TomlTable> tables(const std::string& key) const;              // array of tables; empty where missing
-  std::vector<std::string> keys() const;                                    // in file order; marks nothing as known
+  std::vector<TomlTable> tables(const std::string& key) const;  // array of tables; empty where missing
+  std::vector<std::string> keys() const;                        // in file order; marks nothing as known
 
   // A path in the file, relative to the file's own folder; returned ready to open.
   std::string path(const std::string& key) const;

@@ -14,8 +14,8 @@
 namespace percal {
 namespace {
 
-// A unit is mantissa * 10^ten in SI. The power of ten is kept apart so that it can be joined to the number's own exponent
-// before the one rounding from decimal to binary.
+// A unit is mantissa * 10^ten in SI. The power of ten is kept apart so that it can be joined to the number's own
+// exponent before the one rounding from decimal to binary.
 struct Scale {
   Dimension dimension;
   double mantissa = 1;
@@ -31,6 +31,7 @@ constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
 constexpr Dimension energy{.mass = 1, .length = 2, .time = -2};
 constexpr double pound_per_square_inch = 6894.757293168361;  // Pa: 0.45359237 kg * 9.80665 m/s2 / (0.0254 m)^2
 
+// clang-format off
 constexpr std::array units{
     Unit{"kg", {dimension::mass, 1, 0}},      Unit{"g", {dimension::mass, 1, -3}},
     Unit{"mg", {dimension::mass, 1, -6}},     Unit{"ug", {dimension::mass, 1, -9}},
@@ -52,6 +53,7 @@ constexpr std::array units{
     Unit{"J", {energy, 1, 0}},                Unit{"kJ", {energy, 1, 3}},
     Unit{"mJ", {energy, 1, -3}},              Unit{"uJ", {energy, 1, -6}},
 };
+// clang-format on
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
@@ -74,7 +76,8 @@ Scale find_unit(std::string_view symbol) {
   if (symbol.ends_with('%')) refuse(in_quotes(symbol) + " is not a unit here: write a fraction such as 0.1");
   for (const auto& unit : units) {
     if (lower(symbol) == lower(unit.symbol)) {
-      refuse(fmt::format("unknown unit {} (did you mean {}? capital and small letters differ)", in_quotes(symbol), unit.symbol));
+      refuse(fmt::format("unknown unit {} (did you mean {}? capital and small letters differ)", in_quotes(symbol),
+                         unit.symbol));
     }
   }
   refuse("unknown unit " + in_quotes(symbol) + "; known: " + known_units());
@@ -83,7 +86,8 @@ Scale find_unit(std::string_view symbol) {
 Scale power(const Scale& base, int exponent) {
   const auto& [dimension, mantissa, ten] = base;
   return {{dimension.mass * exponent, dimension.length * exponent, dimension.time * exponent},
-          std::pow(mantissa, exponent), ten * exponent};
+          std::pow(mantissa, exponent),
+          ten * exponent};
 }
 
 Scale product(const Scale& a, const Scale& b) {
@@ -94,10 +98,21 @@ Scale product(const Scale& a, const Scale& b) {
 
 // Greek letters, raised digits and the raised dot as they are typed in ASCII.
 std::string in_ascii(std::string_view text) {
-  static constexpr std::array<std::pair<std::string_view, char>, 15> spellings{{
-      {"\u00b5", 'u'}, {"\u03bc", 'u'}, {"\u00b7", '*'}, {"\u207b", '-'}, {"\u2070", '0'}, {"\u00b9", '1'}, {"\u00b2", '2'},
-      {"\u00b3", '3'}, {"\u2074", '4'}, {"\u2075", '5'}, {"\u2076", '6'}, {"\u2077", '7'}, {"\u2078", '8'}, {"\u2079", '9'},
-      {"\u00a0", ' '}}};
+  static constexpr std::array<std::pair<std::string_view, char>, 15> spellings{{{"\u00b5", 'u'},
+                                                                                {"\u03bc", 'u'},
+                                                                                {"\u00b7", '*'},
+                                                                                {"\u207b", '-'},
+                                                                                {"\u2070", '0'},
+                                                                                {"\u00b9", '1'},
+                                                                                {"\u00b2", '2'},
+                                                                                {"\u00b3", '3'},
+                                                                                {"\u2074", '4'},
+                                                                                {"\u2075", '5'},
+                                                                                {"\u2076", '6'},
+                                                                                {"\u2077", '7'},
+                                                                                {"\u2078", '8'},
+                                                                                {"\u2079", '9'},
+                                                                                {"\u00a0", ' '}}};
   std::string result;
   while (!text.empty()) {
     std::size_t taken = 1;
@@ -123,7 +138,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// product := factor { ('*' | ' ' | '/') factor };  factor := (symbol | '(' product ')') [['^'] integer] | '1' before '/'
+// product := factor { ('*' | ' ' | '/') factor }
+// factor := (symbol | '(' product ')') [['^'] integer] | '1' before '/'
 class UnitParser {
  public:
   explicit UnitParser(std::string_view text) : text_(text) {}
@@ -137,7 +153,9 @@ class UnitParser {
  private:
   char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   bool take(char c) { return peek() == c && at_ < text_.size() ? (++at_, true) : false; }
-  void skip_spaces() { while (at_ < text_.size() && is_space(text_[at_])) ++at_; }
+  void skip_spaces() {
+    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+  }
 
   Scale parse_product() {
     Scale scale = parse_first();
@@ -146,7 +164,8 @@ class UnitParser {
       if (at_ == text_.size() || peek() == ')') return scale;
       const bool divide = take('/');
       if (!divide && divided) {
-        refuse("unit " + in_quotes(text_) + " may be read in two ways; put what is below the line in brackets, as in kg/(m s)");
+        refuse("unit " + in_quotes(text_) +
+               " may be read in two ways; put what is below the line in brackets, as in kg/(m s)");
       }
       if (!divide) take('*');
       skip_spaces();
@@ -171,7 +190,8 @@ class UnitParser {
       return with_power(inner);
     }
     const std::size_t begin = at_;
-    while (at_ < text_.size() && std::string_view(" \t*/^()+-0123456789").find(text_[at_]) == std::string_view::npos) ++at_;
+    while (at_ < text_.size() && std::string_view(" \t*/^()+-0123456789").find(text_[at_]) == std::string_view::npos)
+      ++at_;
     if (at_ == begin) {
       refuse(at_ < text_.size() ? "unit " + in_quotes(text_) + ": unexpected " + in_quotes(text_.substr(at_))
                                 : "unit " + in_quotes(text_) + " is not complete");
@@ -198,7 +218,7 @@ class UnitParser {
     return bounded(power(base, negative ? -exponent : exponent));
   }
 
-  // Refuses what would overflow; each step multiplies by at most 9, so that int cannot overflow before this looks.
+  // Refuses what would overflow. A step multiplies by at most 9, so that int cannot overflow before this looks.
   Scale bounded(const Scale& scale) const {
     const auto& [dimension, mantissa, ten] = scale;
     const int largest = std::max({std::abs(dimension.mass), std::abs(dimension.length), std::abs(dimension.time)});
@@ -214,7 +234,8 @@ class UnitParser {
 
 constexpr std::size_t longest_text = 200;
 
-// The decimal number `digits` (with or without an exponent of its own) times 10^ten, rounded once. NaN where out of range.
+// The decimal number `digits` (with or without an exponent of its own) times 10^ten, rounded once. NaN where out of
+// range.
 double shifted(std::string_view digits, int ten) {
   const std::size_t mark = digits.find_first_of("eE");
   int exponent = 0;
@@ -265,7 +286,8 @@ Quantity parse_quantity(std::string_view written) {
   const Scale scale = unit.empty() ? Scale{} : UnitParser(unit).parse();
   const double decimal = number == 0 || scale.ten == 0 ? number : shifted(text.substr(0, used), scale.ten);
   const double value = decimal * scale.mantissa;
-  if (!std::isfinite(value) || (value == 0 && number != 0)) refuse(in_quotes(written) + " is out of the range of numbers");
+  if (!std::isfinite(value) || (value == 0 && number != 0))
+    refuse(in_quotes(written) + " is out of the range of numbers");
   return {value, scale.dimension};
 }
 

@@ -28,12 +28,12 @@ struct Quantity {
   Dimension dimension;
 };
 
-// The SI value of a text with a unit: "1.2 MPa", "16800 kg/m3", "83 m/s", "26um", "0.7".
-// Units are factors joined by '*' or ' ' and '/', each with an integer power ("kg/m3", "kg/m^3", "kg m^-3"); brackets
-// group them ("kg/(m s)"), and "kg/m s" is refused because it may be read in two ways. Decimal prefixes cost no rounding:
-// "26 um" is the double nearest to 26e-6. The decimal mark is a point, whatever the locale.
-// Throws std::invalid_argument with a message that names the unknown unit and the known ones; nan, infinity, numbers beyond
-// the range of double and trailing characters are refused as well.
+// The SI value of a text with a unit: "1.2 MPa", "16800 kg/m3", "83 m/s", "26um", "0.7". Units are factors joined by
+// '*' or ' ' and '/', each with an integer power ("kg/m3", "kg/m^3", "kg m^-3"); brackets group them ("kg/(m s)"), and
+// "kg/m s" is refused because it may be read in two ways. Decimal prefixes cost no rounding: "26 um" is the double
+// nearest to 26e-6. The decimal mark is a point, whatever the locale. Throws std::invalid_argument with a message that
+// names the unknown unit and the known ones; nan, infinity, numbers beyond the range of double and trailing characters
+// are refused as well.
 Quantity parse_quantity(std::string_view text);
 
 // As above for a bare unit: "kPa" -> 1000 with the dimension of a pressure. "-", "1" and "" are dimensionless.

@@ -1,0 +1,73 @@
+#include "percal/identify/alpha_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/math/statistics.hpp"
+
+namespace percal {
+namespace {
+
+struct Score {
+  double alpha, mean, error;
+};
+
+Score score_at(double alpha, const std::vector<Line>& lines) {
+  std::vector<double> deviations;
+  for (const Line& line : lines) deviations.push_back(std::abs(std::exp(line.at(alpha)) - 1));
+  const double n = static_cast<double>(deviations.size());
+  return {alpha, mean(deviations), deviations.size() > 1 ? sample_deviation(deviations) / std::sqrt(n) : 0};
+}
+
+}  // namespace
+
+AlphaFinding choose_alpha(const std::vector<AlphaTrial>& trials, int pairs) {
+  double low = 1e300, high = -1e300;
+  std::vector<Line> lines;
+  for (int pair = 0; pair < pairs; ++pair) {
+    std::vector<double> x, y;
+    for (const AlphaTrial& trial : trials)
+      if (trial.pair == pair) {
+        low = std::min(low, trial.alpha);
+        high = std::max(high, trial.alpha);
+        if (trial.usable) { x.push_back(trial.alpha); y.push_back(trial.log_misfit); }
+      }
+    if (x.size() >= 2) lines.push_back(linear_trend(x, y));
+  }
+  if (lines.empty()) throw BadInput("alpha: no pair of the target gave a depth at two candidates; the scan cannot decide");
+  std::vector<Score> scores;
+  for (int k = 0; low + k * alpha_step <= high + 1e-9; ++k) scores.push_back(score_at(low + k * alpha_step, lines));
+  const Score best = *std::min_element(scores.begin(), scores.end(), [](const Score& a, const Score& b) { return a.mean < b.mean; });
+  AlphaFinding finding{.alpha = best.alpha, .best = best.alpha, .best_score = best.mean, .score_error = best.error,
+                       .score = best.mean, .lowest = best.alpha, .highest = best.alpha,
+                       .at_edge = best.alpha == scores.front().alpha || best.alpha == scores.back().alpha};
+  for (const Score& score : scores) {
+    if (score.mean > best.mean + best.error) continue;
+    finding.lowest = std::min(finding.lowest, score.alpha);
+    finding.highest = std::max(finding.highest, score.alpha);
+  }
+  // The mildest hardening: for negative alphas that is the one nearest to 0 too.
+  finding.alpha = std::abs(finding.lowest) < std::abs(finding.highest) ? finding.lowest : finding.highest;
+  finding.score = score_at(finding.alpha, lines).mean;
+  finding.alpha = std::round(finding.alpha / alpha_step) * alpha_step;
+  return finding;
+}
+
+std::vector<AlphaTrial> run_alpha_trials(Campaign& campaign, const IdentifyJob& job, const AlphaScan& scan) {
+  std::vector<AlphaTrial> trials;
+  std::vector<Scene> scenes;
+  for (const double alpha : scan.candidates)
+    for (std::size_t pair = 0; pair < scan.target.size(); ++pair) {
+      trials.push_back({.alpha = alpha, .pair = static_cast<int>(pair)});
+      const TargetMaterial target{job.tissue.density, scan.target[pair].mu, alpha, scan.target[pair].erosion_strain};
+      scenes.push_back(impact_scene(job, job.calibration, target, job.volumetric, scan.elements_per_radius));
+    }
+  const auto shots = shoot(campaign, scenes, scan.replicates, "alpha scan");
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    trials[i].usable = shots[i].penetration.depth.has_value();
+    if (trials[i].usable) trials[i].log_misfit = std::log(*shots[i].penetration.depth / job.penetration);
+  }
+  return trials;
+}
+
+}  // namespace percal

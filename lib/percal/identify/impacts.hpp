@@ -1,0 +1,34 @@
+// The impacts of an identification as scenes, and their evaluation.
+#pragma once
+#include <vector>
+
+#include "percal/campaign/campaign.hpp"
+#include "percal/identify/job.hpp"
+
+namespace percal {
+
+// A target material of the job: its modulus as given, and its erosion strain.
+struct TargetMaterial {
+  double density = 0;  // kg/m3
+  double mu = 0;       // Pa, as given
+  double alpha = 0;
+  double erosion_strain = 0;
+};
+
+// A sphere into the job's layer, scaled with the sphere.
+Scene impact_scene(const IdentifyJob& job, const SphereScene& particle, const TargetMaterial& target,
+                   const VolumetricChoice& volumetric, int elements_per_radius);
+
+// One scene with its replicates, evaluated.
+struct Shooting {
+  Scene scene;
+  Reduction reduction;
+  std::vector<Evaluation> runs;
+  Penetration penetration;
+};
+std::vector<Shooting> shoot(Campaign& campaign, const std::vector<Scene>& scenes, int replicates, const char* label);
+
+// What a depth stands for where it is only known to be at least the layer's: nothing else can be said.
+double depth_or_layer(const Penetration& penetration);
+
+}  // namespace percal
