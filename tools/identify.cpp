@@ -24,7 +24,7 @@ std::string number(const std::optional<double>& value, int digits) {
 }
 
 void print(const ComparisonTable& table, const std::string& reference_name) {
-  std::vector<std::vector<std::string>> rows{{"", "unit", reference_name, "percal", "difference", "error", ""}};
+  std::vector<std::vector<std::string>> rows{{"", "unit", table.beside.empty() ? reference_name : table.beside, "percal", "difference", "error", ""}};
   for (const ComparedNumber& row : table.rows) {
     const auto difference = row.difference();
     rows.push_back({row.what, row.unit.empty() ? "-" : row.unit, number(row.reference, row.digits), number(row.ours, row.digits),

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "commands.hpp"
+#include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
 
 namespace percal::tools {
@@ -103,6 +104,7 @@ Exit run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? Exit::done : Exit::bad_input;
   }
+  Progress::enable(!common.quiet);
   if (*fit_command) return run_fit(fit, common);
   if (*scale_command) return run_scale(scale, common);
   if (*impact_command) return run_impact(impact, common);

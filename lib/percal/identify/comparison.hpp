@@ -26,6 +26,7 @@ struct ComparedNumber {
 struct ComparisonTable {
   std::string name;
   std::string note;
+  std::string beside = "";  // what `reference` is; empty: the job's reference
   std::vector<ComparedNumber> rows;
 
   // Mean of |difference| over the rows that have one; nullopt where none has.

@@ -14,17 +14,17 @@ using Json = nlohmann::json;
 
 Json maybe(const std::optional<double>& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
 
-Json table_to_json(const ComparisonTable& table) {
+Json table_to_json(const IdentifyJob& job, const ComparisonTable& table) {
   Json rows = Json::array();
   for (const ComparedNumber& row : table.rows)
     rows.push_back({{"what", row.what}, {"unit", row.unit}, {"reference", maybe(row.reference)}, {"ours", maybe(row.ours)},
                     {"difference", maybe(row.difference())}, {"error", maybe(row.error)}, {"remark", row.remark}});
-  return {{"name", table.name}, {"note", table.note}, {"mean_difference", maybe(table.mean_difference())}, {"rows", rows}};
+  return {{"name", table.name}, {"note", table.note}, {"reference", table.beside.empty() ? job.reference_name : table.beside}, {"mean_difference", maybe(table.mean_difference())}, {"rows", rows}};
 }
 
-Json tables_to_json(const std::vector<ComparisonTable>& tables) {
+Json tables_to_json(const IdentifyJob& job, const std::vector<ComparisonTable>& tables) {
   Json all = Json::array();
-  for (const ComparisonTable& table : tables) all.push_back(table_to_json(table));
+  for (const ComparisonTable& table : tables) all.push_back(table_to_json(job, table));
   return all;
 }
 
@@ -139,8 +139,8 @@ Json identification_to_json(const IdentifyJob& job, const Identification& found,
           {"predictions", predictions_to_json(found)},
           {"prediction_means", prediction_means_to_json(found)},
           {"card", found.card ? card_to_json(*found.card) : Json(nullptr)},
-          {"steps", tables_to_json(found.steps)},
-          {"tables", tables_to_json(found.tables)},
+          {"steps", tables_to_json(job, found.steps)},
+          {"tables", tables_to_json(job, found.tables)},
           {"findings", found.findings},
           {"cost", {{"runs", cost.runs}, {"reused", cost.reused}, {"wall_s", cost.wall_seconds}, {"cpu_s", cost.cpu_seconds}}}};
 }

@@ -98,14 +98,14 @@ ComparisonTable formulation_step(const IdentifyJob& job, const Identification& f
   const auto& s = found.similarity;
   ComparisonTable table{.name = "formulation whose measured depth is nearest",
                         .note = fmt::format("depth that the model shot should have: {:.4g} cm; error: standard deviation of single shots", s.penetration / cm),
-                        .rows = {}};
+                        .beside = "wanted", .rows = {}};
   for (std::size_t i = 0; i < job.gelatin.formulations.size(); ++i) {
     const Formulation& f = job.gelatin.formulations[i];
     table.rows.push_back({.what = fmt::format("measured depth, {} wt%", f.concentration), .unit = "cm", .reference = s.penetration / cm,
                           .ours = f.penetration / cm, .error = over(f.penetration_sd, cm), .digits = 4,
                           .remark = static_cast<int>(i) == s.formulation ? "chosen" : ""});
   }
-  table.rows.push_back({.what = "its high-rate modulus as given", .unit = "kPa", .reference = reference(job, "model_modulus", kPa),
+  table.rows.push_back({.what = "its high-rate modulus as given", .unit = "kPa", .reference = {},
                         .ours = found.gelatin.high_rate[s.formulation] / kPa, .error = {}, .digits = 4, .remark = ""});
   return table;
 }
@@ -135,7 +135,7 @@ ComparisonTable check_step(const IdentifyJob& job, const Identification& found) 
                         .note = fmt::format("{:.5g} kg/m3, {:.4g} kPa as given, erosion strain {:.3g}, {} elements per radius, {} runs; error: their standard error",
                                             *s.model.target_density, found.gelatin.high_rate[s.formulation] / kPa, found.tissue.erosion->strain,
                                             job.check_elements_per_radius, job.check_replicates),
-                        .rows = {}};
+                        .beside = "other", .rows = {}};
   const auto row = [&](const char* what, std::optional<double> other) {
     table.rows.push_back({.what = what, .unit = "cm", .reference = other, .ours = over(p.depth, cm), .error = over(p.standard_error, cm), .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
   };
@@ -147,19 +147,17 @@ ComparisonTable check_step(const IdentifyJob& job, const Identification& found) 
 
 ComparisonTable prediction_step(const IdentifyJob& job, const PredictionResult& result) {
   const PredictionSet& set = *result.set;
-  ComparisonTable table{.name = fmt::format("predicted: {} ({:.5g} kg/m3)", set.system, set.target_density), .note = "", .rows = {}};
-  const char* against = "nothing";
+  ComparisonTable table{.name = fmt::format("predicted: {} ({:.5g} kg/m3)", set.system, set.target_density), .note = "", .beside = "measured", .rows = {}};
   for (std::size_t i = 0; i < set.shots.size(); ++i) {
     const PredictedShot& shot = set.shots[i];
     const auto [unit, scale] = length_unit(shot.radius);
     const Penetration& p = result.shots[i].penetration;
-    if (shot.measured) against = "the measured depth";
     std::string remark = p.depth ? "" : word(p.outcome);
     if (shot.reference && p.depth) remark = fmt::format("{} {:.4g} ({:+.1f} %)", job.reference_name, *shot.reference / scale, 100 * (*p.depth / *shot.reference - 1));
-    table.rows.push_back({.what = fmt::format("{}, a {}, {:.4g} m/s", shot.particle, format_quantity(shot.radius, dimension::length), shot.speed), .unit = unit,
+    table.rows.push_back({.what = fmt::format("{}, a = {}, {:.4g} m/s", shot.particle, format_quantity(shot.radius, dimension::length), shot.speed), .unit = unit,
                           .reference = over(shot.measured, scale), .ours = over(p.depth, scale), .error = over(p.spread, scale), .digits = 4, .remark = remark});
   }
-  table.note = fmt::format("beside {}; {} elements per radius, error: spread of {} runs", against, set.elements_per_radius, set.replicates);
+  table.note = fmt::format("{} elements per radius, error: spread of {} runs", set.elements_per_radius, set.replicates);
   if (result.mean_deviation_from_measured) table.note += "; mean deviation from the measured depths " + percent(*result.mean_deviation_from_measured);
   if (result.mean_deviation_from_reference) table.note += fmt::format(", from the {}'s {}", job.reference_name, percent(*result.mean_deviation_from_reference));
   return table;

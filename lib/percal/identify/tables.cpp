@@ -54,7 +54,7 @@ void add_scaled_line(const ScaledLine& scaled, const Identification& found, std:
       computed.push_back(depth);
       measured.push_back(*shot.measured);
     }
-    table.rows.push_back({.what = fmt::format("{} a {:.3g} um, {:.4g} m/s", shot.particle, shot.radius / um, shot.speed), .unit = "um",
+    table.rows.push_back({.what = fmt::format("{}, a = {:.3g} um, {:.4g} m/s", shot.particle, shot.radius / um, shot.speed), .unit = "um",
                           .reference = shot.reference ? std::optional(*shot.reference / um) : std::nullopt, .ours = depth / um, .error = {}, .digits = 4, .remark = ""});
   }
   if (!computed.empty())
@@ -75,7 +75,7 @@ void add_prediction_tables(const IdentifyJob& job, const Identification& found, 
       const double unit = shot.radius < 1e-4 ? um : cm;
       const auto other = has_reference ? shot.reference : shot.measured;
       const Penetration& p = result.shots[i].penetration;
-      table.rows.push_back({.what = fmt::format("{} a {:.4g} mm, {:.4g} m/s", shot.particle, shot.radius * 1e3, shot.speed), .unit = unit == um ? "um" : "cm",
+      table.rows.push_back({.what = fmt::format("{}, a = {:.4g} mm, {:.4g} m/s", shot.particle, shot.radius * 1e3, shot.speed), .unit = unit == um ? "um" : "cm",
                             .reference = other ? std::optional(*other / unit) : std::nullopt, .ours = p.depth ? std::optional(*p.depth / unit) : std::nullopt,
                             .error = p.standard_error ? std::optional(*p.standard_error / unit) : std::nullopt, .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
     }
