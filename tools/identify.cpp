@@ -13,6 +13,7 @@
 #include "percal/card/lsdyna.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/result_json.hpp"
+#include "percal/impact/kernel.hpp"
 #include "percal/text/file.hpp"
 #include "table.hpp"
 
@@ -62,7 +63,7 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   });
   const CampaignCost cost = campaign.cost();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto json = identification_to_json(job, found, {cost.runs, cost.reused, wall, cost.cpu_seconds});
+  const auto json = identification_to_json(job, found, {cost.runs, cost.reused, wall, cost.cpu_seconds, instruction_level()});
   write_file(folder + "/result.json", json.dump(2) + "\n");
   if (found.card) write_cards(*found.card, folder);
   if (common.json) fmt::print("{}\n", json.dump(2));
