@@ -49,7 +49,8 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
   const IdentifyJob job = read_identify_job(arguments.job);
   if (common.check) {
-    if (!common.quiet) fmt::print("{}: a job that can be run\n", arguments.job);
+    if (common.json) fmt::print("{}\n", nlohmann::json{{"command", "identify"}, {"job", arguments.job}, {"valid", true}}.dump());
+    else if (!common.quiet) fmt::print("{}: a job that can be run\n", arguments.job);
     return Exit::done;
   }
   const std::string folder = out_folder(arguments.job, common);
@@ -64,9 +65,10 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   const CampaignCost cost = campaign.cost();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto json = identification_to_json(job, found, {cost.runs, cost.reused, wall, cost.cpu_seconds, instruction_level()});
-  write_file(folder + "/result.json", json.dump(2) + "\n");
+  const std::string result = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // tables need not be UTF-8
+  write_file(folder + "/result.json", result);
   if (found.card) write_cards(*found.card, folder);
-  if (common.json) fmt::print("{}\n", json.dump(2));
+  if (common.json) fmt::print("{}", result);
   if (talk) {
     for (const auto& finding : found.findings) fmt::print("note: {}\n", finding);
     fmt::print("\n{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all on {} threads. Results: {}\n", cost.runs, cost.reused,

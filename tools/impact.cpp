@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -29,6 +30,16 @@ Scene scene_with_options(const ImpactArguments& arguments) {
     scene.solver.arithmetic = *arguments.arithmetic == "double" ? Arithmetic::double_precision : Arithmetic::single_precision;
   if (!arguments.history.empty()) scene.output.history = true;
   return scene;
+}
+
+// Found out before anything is computed. A pipe or a device is written to as it stands.
+void ensure_writable(const std::string& file) {
+  const std::filesystem::path path(file);
+  std::error_code no_matter;
+  const auto status = std::filesystem::status(path, no_matter);
+  if (std::filesystem::is_directory(status)) throw IoFailure(file + ": is a folder, not a file");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
+  ensure_writable_folder(path.has_parent_path() ? path.parent_path().string() : ".");
 }
 
 // The first replicate keeps the history; the others, which are for the scatter, don't.
@@ -139,15 +150,17 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   const Scene scene = scene_with_options(arguments);
   const Reduction reduction = reduce(scene);
   if (common.check) {
-    if (!common.quiet) fmt::print("{}: a scene that can be run\n", arguments.scene);
+    if (common.json) fmt::print("{}\n", Json{{"command", "impact"}, {"scene", arguments.scene}, {"valid", true}}.dump());
+    else if (!common.quiet) fmt::print("{}: a scene that can be run\n", arguments.scene);
     return Exit::done;
   }
   if (!common.out.empty()) ensure_writable_folder(common.out);
+  if (!arguments.history.empty()) ensure_writable(arguments.history);
   Store store(common.store.empty() ? default_store_path() : common.store);
   Campaign campaign(&store, common.threads);
   const auto runs = evaluate(campaign, reduction.problem, scene.replicates);
   const Penetration penetration = summarise(runs, reduction.problem, reduction.scales);
-  auto notes = warnings(penetration, runs);
+  auto notes = warnings(penetration, runs, reduction.problem);
   notes.insert(notes.begin(), reduction.warnings.begin(), reduction.warnings.end());
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost()};

@@ -1,7 +1,13 @@
 // The program: reads the command line, runs one command, turns the failures into exit codes. The commands are in files of their own.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "commands.hpp"
 #include "percal/base/progress.hpp"
@@ -84,6 +90,30 @@ CLI::App* add_card(CLI::App& app, CardArguments& card, Common& common) {
   return command;
 }
 
+// Ends at once, by calls that a signal handler may make. Evaluations are in the store as soon as they are finished, and files
+// that are being written hold the signal back (text/file.cpp), so nothing half-written stays behind.
+void end_interrupted(int) {
+  constexpr char message[] = "\npercal: interrupted; what is finished is in the store, and the same command goes on from there\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(static_cast<int>(Exit::interrupted));
+}
+
+void resume_after_interruption() {
+  for (const int number : {SIGINT, SIGTERM}) {
+    struct sigaction action {};
+    action.sa_handler = end_interrupted;
+    sigfillset(&action.sa_mask);
+    struct sigaction before {};
+    sigaction(number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // ignored by the caller (nohup): stays so
+  }
+}
+
+// What is still in the buffer may be more than the disk holds.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
+}
+
 Exit run(int argc, char** argv) {
   CLI::App app("percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.", "percal");
   app.set_version_flag("--version", "percal " + version());
@@ -107,6 +137,7 @@ Exit run(int argc, char** argv) {
   Progress::enable(!common.quiet);
   if (*fit_command) return run_fit(fit, common);
   if (*scale_command) return run_scale(scale, common);
+  if (*impact_command || *identify_command) resume_after_interruption();
   if (*impact_command) return run_impact(impact, common);
   if (*identify_command) return run_identify(identify, common);
   return run_card_write(card, common);
@@ -117,13 +148,19 @@ Exit run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using percal::Exit;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over its size limit is a failure to write, told as one
   try {
-    return static_cast<int>(percal::tools::run(argc, argv));
+    const Exit exit = percal::tools::run(argc, argv);
+    percal::tools::flush_output();
+    return static_cast<int>(exit);
   } catch (const percal::BadInput& error) {
     std::fprintf(stderr, "percal: %s\n", error.what());
     return static_cast<int>(Exit::bad_input);
   } catch (const percal::IoFailure& error) {
     std::fprintf(stderr, "percal: %s\n", error.what());
+    return static_cast<int>(Exit::io_failure);
+  } catch (const std::system_error& error) {  // fmt::print on a full disk
+    std::fprintf(stderr, "percal: standard output: %s\n", error.what());
     return static_cast<int>(Exit::io_failure);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "percal: internal error: %s\n", error.what());

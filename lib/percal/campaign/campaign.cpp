@@ -1,5 +1,6 @@
 #include "percal/campaign/campaign.hpp"
 
+#include <fmt/format.h>
 #include <time.h>
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "percal/base/error.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/impact/march.hpp"
 #include "percal/observe/result_json.hpp"
@@ -34,6 +36,15 @@ Evaluation run(const Problem& problem) {
 
 }  // namespace
 
+// A store of another program's making: to be told, not to be run over.
+Evaluation Campaign::read(const StoredEvaluation& stored) const {
+  try {
+    return from_payload(stored.payload);
+  } catch (const std::invalid_argument& error) {
+    throw IoFailure(fmt::format("{}: {}; remove the file or name another store", store_->path(), error.what()));
+  }
+}
+
 struct Campaign::Books {
   std::mutex mutex;
   CampaignCost cost;
@@ -48,7 +59,7 @@ Evaluation Campaign::evaluate(const Problem& problem) {
   const std::string key = evaluation_key(problem, instruction_level());
   if (store_ && std::holds_alternative<NoHistory>(problem.history)) {
     if (const auto stored = store_->find(key)) {
-      Evaluation evaluation = from_payload(stored->payload);
+      Evaluation evaluation = read(*stored);
       const std::lock_guard lock(books_->mutex);
       ++books_->cost.reused;
       return evaluation;

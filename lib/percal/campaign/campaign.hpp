@@ -40,6 +40,8 @@ class Campaign {
   int threads() const { return threads_; }
 
  private:
+  Evaluation read(const StoredEvaluation& stored) const;
+
   struct Books;
   Store* store_;
   int threads_;

@@ -51,6 +51,7 @@ struct Identification {
   SimilarityFinding similarity;
   TissueFinding tissue;
   std::optional<Shooting> model_check;     // not there without an erosion strain
+  std::vector<Shooting> mesh_study;        // as job.mesh_study
   std::vector<PredictionResult> predictions;
   std::optional<CardMaterial> card;
   std::vector<ComparisonTable> steps;      // one for each step of the chain, in order

@@ -74,6 +74,14 @@ Shooting check_model_system(Campaign& campaign, const IdentifyJob& job, const Id
   return shoot(campaign, {scene}, job.check_replicates, "model check").front();
 }
 
+// The calibration impact at the identified pair, on one mesh after the other: what the ridge's mesh is worth.
+std::vector<Shooting> study_mesh(Campaign& campaign, const IdentifyJob& job, const Identification& found) {
+  const TargetMaterial target{job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain};
+  std::vector<Scene> scenes;
+  for (const int elements : job.mesh_study) scenes.push_back(impact_scene(job, job.calibration, target, job.volumetric, elements));
+  return shoot(campaign, scenes, job.check_replicates, "mesh study");
+}
+
 // The modulus and strain of a prediction set; nullopt where the chain did not get that far.
 std::optional<TargetMaterial> material_of(const PredictionSet& set, const Identification& found) {
   TargetMaterial target{.density = set.target_density, .mu = 0, .alpha = found.alpha, .erosion_strain = 0};
@@ -155,6 +163,10 @@ Identification identify(const IdentifyJob& job, Campaign& campaign, const std::f
   if (found.complete()) {
     found.model_check = check_model_system(campaign, job, found);
     finish(check_step(job, found));
+    if (!job.mesh_study.empty()) {
+      found.mesh_study = study_mesh(campaign, job, found);
+      finish(mesh_step(job, found));
+    }
   }
   for (const PredictionSet& set : job.predictions)
     if (auto result = predict(campaign, job, set, found)) {

@@ -138,6 +138,7 @@ struct IdentifyJob {
   RidgeSettings ridge;
   int check_elements_per_radius = 14;            // of the finite-element check of the model system
   int check_replicates = 3;
+  std::vector<int> mesh_study;                   // elements per radius at which the calibration impact is run again
   std::vector<PredictionSet> predictions;
   std::vector<TrendTable> trends;
   std::optional<ScaledLine> scaled_line;

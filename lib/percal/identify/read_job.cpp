@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "percal/identify/job.hpp"
+#include "percal/scene/scene_toml.hpp"
 #include "percal/text/csv.hpp"
+#include "percal/text/csv_header.hpp"
 #include "percal/text/toml.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
@@ -18,11 +22,23 @@ CsvTable table_of(const TomlTable& block, const std::string& key = "file") {
   return table;
 }
 
-// A column named in the job, as positive numbers.
-std::vector<double> column(const TomlTable& block, const std::string& key, const CsvTable& table, const Dimension& dimension) {
+// The number of a column named in the job.
+int column_index(const TomlTable& block, const std::string& key, const CsvTable& table) {
   const std::string name = block.text(key);
-  if (!table.find(name)) block.refuse(key, "\"" + name + "\"", "a column of " + table.file);
-  return table.numbers(name, dimension);
+  const auto index = table.find(name);
+  if (!index) block.refuse(key, in_quotes(name), "a column of " + table.file);
+  return *index;
+}
+
+// A column named in the job, as numbers within a range.
+std::vector<double> column(const TomlTable& block, const std::string& key, const CsvTable& table, const Dimension& dimension,
+                           const Range& range = positive()) {
+  const int index = column_index(block, key, table);
+  auto values = table.numbers(index, dimension);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!contains(range, values[i]))
+      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index], words_of(range));
+  return values;
 }
 
 SphereScene read_sphere(const TomlTable& block) {
@@ -46,7 +62,7 @@ ModelMaterial read_gelatin(const TomlTable& block) {
   const auto penetration = column(rows, "penetration", table, dimension::length);
   std::vector<double> high_rate, deviation;
   if (rows.has("mu_high_rate")) high_rate = column(rows, "mu_high_rate", table, dimension::pressure);
-  if (rows.has("penetration_sd")) deviation = column(rows, "penetration_sd", table, dimension::length);
+  if (rows.has("penetration_sd")) deviation = column(rows, "penetration_sd", table, dimension::length, not_negative());
   for (std::size_t i = 0; i < concentration.size(); ++i) {
     Formulation f{.concentration = concentration[i], .mu_quasi_static = quasi_static[i], .mu_high_rate = {},
                   .penetration = penetration[i], .penetration_sd = {}, .measured = true};
@@ -61,41 +77,36 @@ ModelMaterial read_gelatin(const TomlTable& block) {
       gelatin.formulations[i].measured = std::any_of(measured.rows.begin(), measured.rows.end(),
                                                      [&](const CsvRow& row) { return row.line == table.rows[i].line; });
   }
+  std::set<double> concentrations;
+  for (const Formulation& f : gelatin.formulations)
+    if (f.measured) concentrations.insert(f.concentration);
+  if (!gelatin.exponent && concentrations.size() < 2)
+    rows.refuse("concentration", "one concentration", "two or more with measured moduli, or gelatin.exponent, for the law mu = k c^n");
   return gelatin;
 }
 
-VolumetricChoice read_volumetric(const TomlTable& block) {
-  const auto nu = block.optional_number("nu", Range{-1, 0.5, true, true, "a Poisson's ratio between -1 and 0.5"});
-  const auto ratio = block.optional_number("bulk_to_shear", positive("ratio"));
-  if (nu && ratio) block.refuse("bulk_to_shear", "both nu and bulk_to_shear", "one of them, or neither (K is then chosen)");
-  if (nu) return PoissonRatio{*nu};
-  if (ratio) return BulkToShear{*ratio};
-  return ChooseBulk{};
+// Moduli in this program's jobs are positive, so a mu that stands for mu_true 2/alpha needs a positive alpha.
+void check_exponent(const TomlTable& block, const std::string& key, double alpha, ModulusConvention convention) {
+  if (std::abs(alpha) < 1e-3) block.refuse(key, "0", "an exponent at least 0.001 in size");
+  if (alpha < 0 && convention == ModulusConvention::mu_over_alpha)
+    block.refuse(key, "an exponent below 0 beside convention.modulus = \"mu/alpha\"", "a positive exponent, or convention.modulus = \"true\"");
 }
 
-SolverScene read_solver(const TomlTable& block) {
-  SolverScene solver;
-  solver.contact_stiffness = block.number("contact_stiffness", positive("stiffness"), solver.contact_stiffness);
-  solver.hourglass = block.number("hourglass", not_negative("stiffness"), solver.hourglass);
-  solver.linear_viscosity = block.number("linear_viscosity", not_negative("viscosity"), solver.linear_viscosity);
-  solver.quadratic_viscosity = block.number("quadratic_viscosity", not_negative("viscosity"), solver.quadratic_viscosity);
-  solver.time_step_factor = block.number("time_step_factor", Range{0, 1.2, true, false, "a share of the stable step, up to 1.2"},
-                                         solver.time_step_factor);
-  if (block.word("arithmetic", {"single", "double"}, 0) == 1) solver.arithmetic = Arithmetic::double_precision;
-  return solver;
-}
-
-AlphaChoice read_alpha(const TomlTable& block) {
-  const Range exponent{-100, 100, false, false, "an exponent other than 0"};
+AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
+  const Range exponent{-100, 100, false, false, "an exponent from -100 to 100, other than 0"};
   if (const auto value = block.optional_number("value", exponent)) {
-    if (std::abs(*value) < 1e-3) block.refuse("value", "0", "an exponent other than 0");
+    check_exponent(block, "value", *value, convention);
     if (block.has("scan")) block.refuse("value", "both value and scan", "one of them");
     return AlphaGiven{*value};
   }
   if (!block.has("scan")) block.refuse("value", "neither value nor scan", "value = NUMBER, or scan = [NUMBER, ...] with a target table");
   AlphaScan scan;
   scan.candidates = block.numbers("scan", exponent);
-  std::sort(scan.candidates.begin(), scan.candidates.end());
+  for (const double alpha : scan.candidates) check_exponent(block, "scan", alpha, convention);
+  const std::set<double> candidates(scan.candidates.begin(), scan.candidates.end());
+  scan.candidates.assign(candidates.begin(), candidates.end());
+  if (scan.candidates.size() < 2 || scan.candidates.front() * scan.candidates.back() < 0)
+    block.refuse("scan", scan.candidates.size() < 2 ? "one exponent" : "exponents of both signs", "two or more exponents of one sign");
   scan.elements_per_radius = block.integer("elements_per_radius", 1, 1000, scan.elements_per_radius);
   scan.replicates = block.integer("replicates", 1, 100, scan.replicates);
   const TomlTable target = block.table("target");
@@ -133,8 +144,6 @@ std::vector<PredictedShot> read_shots_to_predict(const TomlTable& block, const C
                 .measured = {}, .reference = {}};
     if (!measured.empty()) shots[i].measured = measured[i];
     if (!reference.empty()) shots[i].reference = reference[i];
-    if (!(shots[i].radius > 0 && shots[i].speed > 0 && shots[i].density > 0))
-      throw BadInput({table.file, table.rows[i].line, ""}, "a radius, speed or density that is not positive", "positive numbers");
   }
   return shots;
 }
@@ -143,7 +152,7 @@ PredictionMaterial read_material(const TomlTable& block) {
   switch (block.word("material", {"given", "tissue", "model"})) {
     case 1: return IdentifiedTissue{};
     case 2: return IdentifiedModel{};
-    default: return PairGiven{block.quantity("mu", dimension::pressure, any_number()), block.number("erosion_strain", strain)};
+    default: return PairGiven{block.quantity("mu", dimension::pressure, pressure), block.number("erosion_strain", strain)};
   }
 }
 
@@ -153,7 +162,7 @@ std::vector<PredictionSet> read_predictions(const TomlTable& block) {
   set.system = block.text("system");
   set.shots = read_shots_to_predict(block, table_of(block));
   set.material = read_material(block);
-  set.volumetric = read_volumetric(block);
+  set.volumetric = volumetric_from(block);
   set.elements_per_radius = block.integer("elements_per_radius", 1, 1000, set.elements_per_radius);
   set.replicates = block.integer("replicates", 1, 100, set.replicates);
   std::vector<PredictionSet> sets;
@@ -164,6 +173,12 @@ std::vector<PredictionSet> read_predictions(const TomlTable& block) {
   return sets;
 }
 
+// A straight line takes two different x.
+void check_line(const TomlTable& block, const std::string& key, const std::vector<double>& x) {
+  if (std::set<double>(x.begin(), x.end()).size() < 2)
+    block.refuse(key, "rows that are all at one place", "rows at two or more, for a straight line");
+}
+
 TrendTable read_trend(const TomlTable& block) {
   const CsvTable table = table_of(block);
   TrendTable trend;
@@ -171,8 +186,13 @@ TrendTable read_trend(const TomlTable& block) {
   trend.x_name = block.text("x");
   trend.y_name = block.text("y");
   const auto in_own_unit = [&](const std::string& key, double& unit_in_si) {
-    const int index = table.column(block.text(key));
-    const Quantity unit = parse_unit(table.columns[index].unit);
+    const int index = column_index(block, key, table);
+    Quantity unit{1, dimension::none};
+    try {
+      unit = column_unit(table.columns[index].unit);
+    } catch (const std::invalid_argument& error) {
+      throw BadInput({table.file, table.header_line, table.columns[index].header}, error.what(), "a unit that is known");
+    }
     unit_in_si = unit.value;
     auto values = table.numbers(index, unit.dimension);
     for (double& value : values) value /= unit.value;
@@ -181,6 +201,7 @@ TrendTable read_trend(const TomlTable& block) {
   trend.x = in_own_unit("x", trend.x_unit);
   trend.y = in_own_unit("y", trend.y_unit);
   trend.unit = table.columns[table.column(trend.y_name)].unit + " per " + table.columns[table.column(trend.x_name)].unit;
+  check_line(block, "x", trend.x);
   trend.reference_slope = block.optional_number("reference_slope", any_number());
   trend.reference_intercept = block.optional_number("reference_intercept", any_number());
   return trend;
@@ -193,6 +214,9 @@ ScaledLine read_scaled_line(const TomlTable& block) {
   const CsvTable table = table_of(shots);
   line.shots = read_shots(table, {.density = shots.text("density"), .radius = shots.text("radius", ""),
                                   .diameter = shots.text("diameter", ""), .speed = shots.text("speed"), .depth = shots.text("penetration")});
+  std::vector<double> parameters;
+  for (const Shot& shot : line.shots) parameters.push_back(impact_parameter(shot));
+  check_line(shots, "file", parameters);
   const TomlTable cases = block.table("cases");
   line.cases = read_shots_to_predict(cases, table_of(cases));
   line.reference_mean_error = block.optional_number("reference_mean_error", positive("share"));
@@ -217,12 +241,14 @@ void read_reference(const TomlTable& block, IdentifyJob& job) {
 
 void check_references_between_blocks(const TomlTable& root, const IdentifyJob& job) {
   if (!job.equal_mass) return;
-  for (const auto& shape : job.equal_mass->shapes) {
+  const auto blocks = root.table("equal_mass").tables("shapes");
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const EqualMass::Shape& shape = job.equal_mass->shapes[i];
     const bool known = std::any_of(job.trends.begin(), job.trends.end(), [&](const TrendTable& t) { return t.name == shape.trend; });
     if (!shape.trend.empty() && !known)
-      root.refuse("equal_mass.shapes.trend", "\"" + shape.trend + "\"", "the name of a [[trends]] block");
+      blocks[i].refuse("trend", in_quotes(shape.trend), "the name of a [[trends]] block");
     if (shape.trend.empty() && !job.scaled_line)
-      root.refuse("equal_mass.shapes.trend", "nothing", "the name of a [[trends]] block (a sphere needs [scaled_line])");
+      blocks[i].refuse("trend", "nothing", "the name of a [[trends]] block (a sphere needs [scaled_line])");
   }
 }
 
@@ -263,19 +289,24 @@ IdentifyJob read_identify_job(const std::string& path) {
     job.layer.bottom = layer->word("bottom", {"free", "fixed"}, 0) == 1 ? Bottom::fixed : Bottom::free;
   }
   if (const auto solver = root.optional_table("solver")) {
-    job.volumetric = read_volumetric(*solver);
-    job.solver = read_solver(*solver);
+    job.volumetric = volumetric_from(*solver);
+    job.solver = solver_from(*solver);
   }
-  job.alpha = read_alpha(root.table("alpha"));
+  job.alpha = read_alpha(root.table("alpha"), job.convention);
   const TomlTable ridge = root.table("ridge");
   job.ridge.erosion_strains = ridge.numbers("erosion_strains", strain);
-  job.ridge.start = ridge.quantity("start", dimension::pressure, any_number());
+  job.ridge.start = ridge.quantity("start", dimension::pressure, pressure);
   job.ridge.elements_per_radius = ridge.integer("elements_per_radius", 1, 1000, job.ridge.elements_per_radius);
-  if (job.ridge.erosion_strains.size() < 2) ridge.refuse("erosion_strains", "one strain", "two or more: a ridge");
-  std::sort(job.ridge.erosion_strains.begin(), job.ridge.erosion_strains.end());
+  const std::set<double> strains(job.ridge.erosion_strains.begin(), job.ridge.erosion_strains.end());
+  if (strains.size() < 2) ridge.refuse("erosion_strains", "one strain", "two or more: a ridge");
+  job.ridge.erosion_strains.assign(strains.begin(), strains.end());
   if (const auto check = root.optional_table("model_check")) {
     job.check_elements_per_radius = check->integer("elements_per_radius", 1, 1000, job.check_elements_per_radius);
     job.check_replicates = check->integer("replicates", 1, 100, job.check_replicates);
+  }
+  if (const auto study = root.optional_table("mesh_study")) {
+    for (const double elements : study->numbers("elements_per_radius", Range{1, 1000, false, false, "a number of elements from 1 to 1000"}))
+      job.mesh_study.push_back(static_cast<int>(std::lround(elements)));
   }
   for (const TomlTable& block : root.tables("predictions"))
     for (auto& set : read_predictions(block)) job.predictions.push_back(std::move(set));
@@ -288,6 +319,10 @@ IdentifyJob read_identify_job(const std::string& path) {
   } else {
     job.card_name = job.tissue.name;
   }
+  // Cards are files of this name.
+  if (job.card_name.empty() || job.card_name.find_first_of("/\\") != std::string::npos ||
+      std::any_of(job.card_name.begin(), job.card_name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    root.refuse("card", "the name " + in_quotes(job.card_name), "a name that files may have");
   if (const auto block = root.optional_table("reference")) read_reference(*block, job);
   root.finish();
   check_references_between_blocks(root, job);

@@ -6,12 +6,9 @@
 namespace percal {
 namespace {
 
-// Small-strain moduli as given carry alpha's sign in some conventions: searches run in ln |mu|.
-double signed_modulus(double log_modulus, double start) { return std::copysign(std::exp(log_modulus), start); }
-
 DepthOfModulus forward_model(Campaign& campaign, const IdentifyJob& job, double alpha, double strain) {
   return [&campaign, &job, alpha, strain](double log_modulus) {
-    const TargetMaterial target{job.tissue.density, signed_modulus(log_modulus, job.ridge.start), alpha, strain};
+    const TargetMaterial target{job.tissue.density, std::exp(log_modulus), alpha, strain};
     const Scene scene = impact_scene(job, job.calibration, target, job.volumetric, job.ridge.elements_per_radius);
     const Reduction reduction = reduce(scene);
     const Evaluation run = campaign.evaluate(reduction.problem);
@@ -61,9 +58,9 @@ std::vector<RidgePoint> find_ridge(Campaign& campaign, const IdentifyJob& job, d
   campaign.side_by_side(static_cast<int>(ridge.size()), [&](int k) {
     RidgePoint& point = ridge[k];
     point.inversion = invert_modulus(forward_model(campaign, job, alpha, point.erosion_strain),
-                                     {.target = job.penetration, .start = std::log(std::abs(job.ridge.start))});
+                                     {.target = job.penetration, .start = std::log(job.ridge.start)});
     if (point.inversion.outcome == InversionOutcome::found) {
-      point.mu = signed_modulus(point.inversion.log_modulus, job.ridge.start);
+      point.mu = std::exp(point.inversion.log_modulus);
       point.solver_error = point.inversion.log_modulus_error;
       if (job.penetration_error)
         point.data_error = *job.penetration_error / job.penetration / std::abs(point.inversion.slope);
@@ -79,7 +76,7 @@ std::optional<StrainOnRidge> strain_at(const std::vector<RidgePoint>& ridge, dou
   for (const RidgePoint& point : ridge) {
     if (point.mu == 0) continue;
     if (before) {
-      const double from = std::log(std::abs(before->mu)), to = std::log(std::abs(point.mu)), at = std::log(std::abs(mu));
+      const double from = std::log(before->mu), to = std::log(point.mu), at = std::log(mu);
       if ((at - from) * (at - to) <= 0 && from != to) {
         const double share = (at - from) / (to - from), slope = (point.erosion_strain - before->erosion_strain) / (to - from);
         const double error = std::max(std::hypot(before->solver_error, before->data_error), std::hypot(point.solver_error, point.data_error));

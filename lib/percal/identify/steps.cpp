@@ -69,7 +69,7 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
     table.rows.push_back({.what = fmt::format("mu at erosion strain {}", point.erosion_strain), .unit = "MPa",
                           .reference = point.known ? std::optional(point.known->mu / MPa) : std::nullopt,
                           .ours = is_found ? std::optional(point.mu / MPa) : std::nullopt,
-                          .error = is_found ? std::optional(std::abs(point.mu) / MPa * std::hypot(point.solver_error, point.data_error)) : std::nullopt,
+                          .error = is_found ? std::optional(point.mu / MPa * std::hypot(point.solver_error, point.data_error)) : std::nullopt,
                           .digits = 4, .remark = is_found ? "" : word(point.inversion.outcome)});
   }
   for (const RidgePoint& point : found.ridge)
@@ -142,6 +142,20 @@ ComparisonTable check_step(const IdentifyJob& job, const Identification& found) 
   row("depth, beside the similar one", s.penetration / cm);
   row("depth, beside the measured one", job.gelatin.formulations[s.formulation].penetration / cm);
   if (job.reference.contains("model_fe_penetration")) row("depth, beside the reference's finite elements", reference(job, "model_fe_penetration", cm));
+  return table;
+}
+
+ComparisonTable mesh_step(const IdentifyJob& job, const Identification& found) {
+  const auto [unit, scale] = length_unit(job.calibration.radius);
+  ComparisonTable table{.name = "mesh: the calibration impact at the identified pair",
+                        .note = fmt::format("the ridge was found with {} elements per radius, the predictions have their own; what the depth still "
+                                            "changes here is the mesh error of both. Error: standard error of {} runs", job.ridge.elements_per_radius, job.check_replicates),
+                        .beside = "measured", .rows = {}};
+  for (std::size_t i = 0; i < found.mesh_study.size(); ++i) {
+    const Penetration& p = found.mesh_study[i].penetration;
+    table.rows.push_back({.what = fmt::format("{} elements per radius", job.mesh_study[i]), .unit = unit, .reference = job.penetration / scale,
+                          .ours = over(p.depth, scale), .error = over(p.standard_error, scale), .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
+  }
   return table;
 }
 

@@ -10,6 +10,7 @@ ComparisonTable similarity_step(const IdentifyJob& job, const Identification& fo
 ComparisonTable formulation_step(const IdentifyJob& job, const Identification& found);
 ComparisonTable tissue_step(const IdentifyJob& job, const Identification& found);
 ComparisonTable check_step(const IdentifyJob& job, const Identification& found);
+ComparisonTable mesh_step(const IdentifyJob& job, const Identification& found);
 ComparisonTable prediction_step(const IdentifyJob& job, const PredictionResult& result);
 
 // What a reader must know before using the numbers, in sentences.

@@ -20,7 +20,7 @@ void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::
     if (!point.known) continue;
     moduli.rows.push_back({.what = fmt::format("erosion strain {}", point.erosion_strain), .unit = "MPa", .reference = point.known->mu / MPa,
                            .ours = point.mu != 0 ? std::optional(point.mu / MPa) : std::nullopt,
-                           .error = std::abs(point.mu) / MPa * std::hypot(point.solver_error, point.data_error), .digits = 4, .remark = ""});
+                           .error = point.mu / MPa * std::hypot(point.solver_error, point.data_error), .digits = 4, .remark = ""});
     if (point.known->mu_model)
       mapped.rows.push_back({.what = fmt::format("{:.4g} MPa", point.known->mu / MPa), .unit = "kPa", .reference = *point.known->mu_model / kPa,
                              .ours = map_modulus(point.known->mu, found.similarity.prototype, found.similarity.model) / kPa, .error = {}, .digits = 4, .remark = ""});

@@ -36,11 +36,14 @@ struct Penetration {
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales);
 
 // Warnings that a reader of the depth needs: springs and viscosity take more than a quarter of the energy, mixed outcomes,
-// distorted elements.
-std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates);
+// distorted elements, nodes far inside the sphere.
+std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates, const Problem& problem);
 
 // Springs dropped at erosion and viscosity together take a share of the impact energy that nobody asked for; above this the
 // summary says so.
 inline constexpr double tolerated_numerical_loss = 0.25;
+
+// Nodes that lie deeper inside the sphere than this share of its radius are no contact any more: the springs are too soft.
+inline constexpr double tolerated_overlap = 0.25;
 
 }  // namespace percal

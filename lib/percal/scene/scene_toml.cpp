@@ -41,19 +41,6 @@ Erosion read_erosion(const TomlTable& target) {
   return erosion;
 }
 
-VolumetricChoice read_volumetric(const TomlTable& target) {
-  const auto nu = target.optional_number("nu", {.low = -1,
-                                                .high = 0.5,
-                                                .low_open = true,
-                                                .high_open = true,
-                                                .words = "a number between -1 and 0.5, both excluded"});
-  const auto ratio = target.optional_number("bulk_to_shear", positive("number (K/mu)"));
-  if (nu && ratio) target.refuse("bulk_to_shear", "this beside nu", "one of the two, or neither (K is then chosen)");
-  if (nu) return PoissonRatio{*nu};
-  if (ratio) return BulkToShear{*ratio};
-  return ChooseBulk{};
-}
-
 void read_ogden(const TomlTable& table, LayerScene& target) {
   target.convention = static_cast<ModulusConvention>(
       table.word("convention", {word(ModulusConvention::true_shear), word(ModulusConvention::mu_over_alpha)}, 0));
@@ -84,7 +71,7 @@ LayerScene read_target(const TomlTable& table, const SphereScene& particle) {
   target.name = table.text("name", target.name);
   target.density = table.quantity("density", dimension::density, positive("density"));
   read_ogden(table, target);
-  target.volumetric = read_volumetric(table);
+  target.volumetric = volumetric_from(table);
   target.depth = table.quantity("depth", dimension::length, larger_than_radius(particle));
   target.width = table.quantity("width", dimension::length, larger_than_radius(particle));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
@@ -107,7 +94,22 @@ MeshScene read_mesh(const TomlTable& table, double width_in_radii) {
   return mesh;
 }
 
-SolverScene read_solver(const TomlTable& table) {
+}  // namespace
+
+VolumetricChoice volumetric_from(const TomlTable& table) {
+  const auto nu = table.optional_number("nu", {.low = -1,
+                                                .high = 0.5,
+                                                .low_open = true,
+                                                .high_open = true,
+                                                .words = "a number between -1 and 0.5, both excluded"});
+  const auto ratio = table.optional_number("bulk_to_shear", positive("number (K/mu)"));
+  if (nu && ratio) table.refuse("bulk_to_shear", "this beside nu", "one of the two, or neither (K is then chosen)");
+  if (nu) return PoissonRatio{*nu};
+  if (ratio) return BulkToShear{*ratio};
+  return ChooseBulk{};
+}
+
+SolverScene solver_from(const TomlTable& table) {
   SolverScene solver;
   const auto share = [&table](const char* key, double fallback) { return table.number(key, not_negative(), fallback); };
   solver.contact_stiffness = table.number("contact_stiffness", positive(), solver.contact_stiffness);
@@ -122,8 +124,6 @@ SolverScene read_solver(const TomlTable& table) {
   return solver;
 }
 
-}  // namespace
-
 Scene scene_from(const TomlTable& table) {
   Scene scene;
   scene.source = table.place("particle").file;
@@ -131,7 +131,7 @@ Scene scene_from(const TomlTable& table) {
   scene.target = read_target(table.table("target"), scene.particle);
   const double width_in_radii = scene.target.width / scene.particle.radius;
   if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, width_in_radii);
-  if (const auto solver = table.optional_table("solver")) scene.solver = read_solver(*solver);
+  if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver);
   if (const auto output = table.optional_table("output"))
     scene.output.history = output->flag("history", scene.output.history);
   scene.replicates = table.integer("replicates", 1, most_replicates, scene.replicates);

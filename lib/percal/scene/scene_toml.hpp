@@ -14,6 +14,10 @@ Scene parse_scene(const std::string& text, const std::string& name);
 // The scene that a table holds, so that a job can embed one. The caller finishes the table (TomlTable::finish).
 Scene scene_from(const TomlTable& table);
 
+// Parts of a scene, for jobs that hold no whole one: `nu` or `bulk_to_shear` of a table; the keys of a [solver] table.
+VolumetricChoice volumetric_from(const TomlTable& table);
+SolverScene solver_from(const TomlTable& table);
+
 // Text that parse_scene reads as the same scene bit for bit (but for `source`): every setting written out, in SI.
 // `comment` stands at the top, each of its lines behind "# "; it may be empty.
 std::string scene_to_toml(const Scene& scene, const std::string& comment);

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -37,7 +38,25 @@ class Descriptor {
   int number_;
 };
 
-// A name that is removed again unless it was renamed.
+// Holds back, on this thread, the signals that ask the program to end.
+class EndLater {
+ public:
+  EndLater() {
+    sigset_t ends;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &ends, &before_);
+  }
+  ~EndLater() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  EndLater(const EndLater&) = delete;
+  EndLater& operator=(const EndLater&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+// A name that is removed again unless it was renamed, also where somebody interrupts the program meanwhile.
 class TemporaryName {
  public:
   explicit TemporaryName(const fs::path& folder) {
@@ -53,6 +72,7 @@ class TemporaryName {
   void renamed() { name_.clear(); }
 
  private:
+  EndLater end_later_;  // gone after the name is
   std::string name_;
 };
 
