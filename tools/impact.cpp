@@ -116,6 +116,14 @@ void print_energy(const EnergyLedger& e) {
   fmt::print("    {:<36}{:8.4f}\n", "sum", e.sum());
 }
 
+// What would have to change for a Mach number at which K no longer matters.
+void print_refusal(const Reduction& reduction) {
+  const double speed = reduction.scales.speed * recommended_mach / reduction.mach;
+  fmt::print("\n  Mach number {:.3g}: the impact is faster than the target's waves, and is not run. For a Mach number of {} give bulk_to_shear = "
+             "{:.4g} or more (left out, K is chosen so), or a speed of {} or less.",
+             reduction.mach, recommended_mach, subsonic_bulk_ratio(reduction.problem.pi4), format_quantity(speed, dimension::speed));
+}
+
 void print(const Findings& f) {
   const auto length = [](double metres) { return format_quantity(metres, dimension::length); };
   const auto& p = f.penetration;
@@ -124,18 +132,15 @@ void print(const Findings& f) {
   if (p.depth) fmt::print(", depth {}", length(*p.depth));
   if (p.spread) fmt::print(" (spread of {} runs {}, standard error {})", f.runs.size(), length(*p.spread), length(*p.standard_error));
   if (p.at_least) fmt::print(", deeper than the layer's {}", length(*p.at_least));
-  if (p.outcome == Outcome::supersonic)
-    fmt::print("\n  Mach number {:.3g}: the impact is faster than the target's waves, and this solver does not run it. Give a larger bulk "
-               "modulus (nu or bulk_to_shear, or leave both out), or a lower speed.", f.reduction.mach);
+  if (p.outcome == Outcome::supersonic) print_refusal(f.reduction);
   fmt::print("\n  mu {} as given ({}), {} true; K {} ({}), Mach {:.3g}\n", format_quantity(f.scene.target.mu_as_given, dimension::pressure),
              word(f.scene.target.convention), format_quantity(f.reduction.mu_true, dimension::pressure),
              format_quantity(f.reduction.bulk_modulus, dimension::pressure),
              f.reduction.bulk_was_chosen ? fmt::format("chosen: K/mu {:.4g}", f.reduction.problem.bulk_ratio) : "given", f.reduction.mach);
-  if (first.steps > 0) {
-    fmt::print("  {} elements ({} per radius), {} steps, {} eroded, smallest J {:.3f}, smallest step {:.3f} of the first\n", first.elements,
-               f.reduction.problem.elements_per_radius, first.steps, first.eroded, first.smallest_jacobian, first.smallest_step);
-    print_energy(p.energy);
-  }
+  if (first.steps == 0) return;
+  fmt::print("  {} elements ({} per radius), {} steps, {} eroded, smallest J {:.3f}, smallest step {:.3f} of the first\n", first.elements,
+             f.reduction.problem.elements_per_radius, first.steps, first.eroded, first.smallest_jacobian, first.smallest_step);
+  print_energy(p.energy);
   fmt::print("  left out\n");
   for (const auto& omission : f.reduction.left_out) fmt::print("    {}: {}\n", omission.what, omission.why);
   fmt::print("  {} runs, {} from the store, {:.2f} s of processor time, {:.2f} s in all, {}\n", f.cost.runs, f.cost.reused,

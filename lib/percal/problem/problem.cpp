@@ -11,6 +11,8 @@ namespace percal {
 
 double mach_number(const Problem& problem) { return std::sqrt(problem.pi4 / (problem.bulk_ratio + 4.0 / 3)); }
 
+double subsonic_bulk_ratio(double pi4) { return 1.01 * pi4 / (recommended_mach * recommended_mach) - 4.0 / 3; }
+
 double replicate_speed_factor(int replicate) {
   const int step = (replicate + 1) / 2;
   return 1 + (replicate % 2 == 1 ? 0.001 : -0.001) * step;

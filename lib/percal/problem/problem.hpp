@@ -40,6 +40,10 @@ struct Problem {
 // v over the dilatational wave speed sqrt((K + 4 mu/3)/rho).
 double mach_number(const Problem& problem);
 
+// Below this Mach number the depth no longer depends on K (docs/theory/impact.md), and the K/mu that gives it, with 1 % to spare.
+inline constexpr double recommended_mach = 0.3;
+double subsonic_bulk_ratio(double pi4);
+
 // What takes dimensionless results back to SI.
 struct Scales {
   double radius = 1;          // m

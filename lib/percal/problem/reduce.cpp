@@ -8,18 +8,12 @@
 namespace percal {
 namespace {
 
-constexpr double largest_chosen_mach = 0.3;     // docs/theory/impact.md: above it the depth depends on K
 constexpr double smallest_chosen_ratio = 50;
 constexpr double rigid_below = 0.02;            // (rho_t v^2 + 10 mu)/E: docs/theory/impact.md
 
-double chosen_bulk_ratio(double pi4) {
-  const double subsonic = 1.01 * pi4 / (largest_chosen_mach * largest_chosen_mach) - 4.0 / 3;
-  return std::max(smallest_chosen_ratio, subsonic);
-}
-
 struct BulkRatio {
   double pi4;
-  double operator()(const ChooseBulk&) const { return chosen_bulk_ratio(pi4); }
+  double operator()(const ChooseBulk&) const { return std::max(smallest_chosen_ratio, subsonic_bulk_ratio(pi4)); }
   double operator()(const PoissonRatio& given) const { return bulk_to_shear(given.nu); }
   double operator()(const BulkToShear& given) const { return given.ratio; }
 };
