@@ -170,11 +170,12 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost()};
   if (!arguments.history.empty()) write_file(arguments.history, history_csv(runs.front().result.history, reduction.scales));
+  const std::string result = to_json(findings).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a path need not be UTF-8
   if (!common.out.empty()) {
-    write_file(common.out + "/result.json", to_json(findings).dump(2) + "\n");
+    write_file(common.out + "/result.json", result);
     if (scene.output.history) write_file(common.out + "/history.csv", history_csv(runs.front().result.history, reduction.scales));
   }
-  if (common.json) fmt::print("{}\n", to_json(findings).dump(2));
+  if (common.json) fmt::print("{}", result);
   else if (!common.quiet) print(findings);
   const bool reached = penetration.outcome == Outcome::stopped || penetration.outcome == Outcome::passed_through;
   return reached ? Exit::done : Exit::outcome_not_reached;

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal::tools {
 
@@ -114,6 +115,18 @@ void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
+// Where a command is unknown CLI11 says only that one is missing.
+void refuse_unknown_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  if (!chosen.empty()) return refuse_unknown_command(*chosen.front());
+  const auto words = app.remaining();
+  std::vector<std::string> commands;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  if (commands.empty() || words.empty() || words.front().starts_with("-")) return;
+  const auto near = nearest_word(words.front(), commands);
+  throw BadInput(Place{.file = "", .line = 0, .key = "command"}, in_quotes(words.front()) + (near ? " (did you mean " + *near + "?)" : ""), listed(commands));
+}
+
 Exit run(int argc, char** argv) {
   CLI::App app("percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.", "percal");
   app.set_version_flag("--version", "percal " + version());
@@ -132,6 +145,7 @@ Exit run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) refuse_unknown_command(app);
     return app.exit(error) == 0 ? Exit::done : Exit::bad_input;
   }
   Progress::enable(!common.quiet);

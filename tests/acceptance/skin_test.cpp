@@ -80,7 +80,9 @@ TEST_F(SlowSkin, NineGoldCasesAreWhereLsDynaAndTheMeasurementsAre) {
 
 TEST_F(SlowSkin, TheRoundedModelSystemIsAtLsDynasDepth) {
   for (const Json& shot : result.at("predictions"))
-    if (shot.at("system") == "model system, thesis's rounded values") EXPECT_NEAR(shot.at("depth_m").get<double>() / 0.0419, 1, 0.04);
+    if (shot.at("system") == "model system, thesis's rounded values") {
+      EXPECT_NEAR(shot.at("depth_m").get<double>() / 0.0419, 1, 0.04);
+    }
 }
 
 TEST_F(SlowSkin, SkinIsTheThesiss) {

@@ -66,7 +66,7 @@ TEST_F(SecondJob, EndsWithEveryKeyOfAResult) {
   for (const json& table : found["tables"])
     for (const char* key : {"name", "note", "reference", "mean_difference", "rows"}) EXPECT_TRUE(table.contains(key)) << key;
   for (const char* key : {"runs", "reused", "wall_s", "cpu_s"}) EXPECT_TRUE(found["cost"].contains(key)) << key;
-  EXPECT_EQ(found["cost"]["reused"], 0);
+  EXPECT_EQ(found["cost"]["reused"], 6) << "the model check, the mesh study's middle and the calibration again are one dimensionless problem";
   EXPECT_EQ(found["input"]["toml"], read("liver.toml"));
 }
 
@@ -133,42 +133,40 @@ TEST_F(SecondJob, TheResultDoesNotDependOnTheNumberOfThreads) {
 TEST_F(SecondJob, TheConventionOfTheModuliOnlyScalesThem) {
   job();
   const json as_true = identify("true");
-  // mu/alpha with alpha = 2 is the true modulus itself.
-  job({{"value = 5", "value = 2"}});
-  const json two = identify("two");
-  job({{"value = 5", "value = 2"}, {"modulus = \"true\"", "modulus = \"mu/alpha\""}});
-  const json as_given = identify("given", "2", "two");
-  EXPECT_EQ(as_given["cost"]["runs"], 0) << "the same impacts";
-  EXPECT_EQ(as_given["ridge"], two["ridge"]);
-  job({{"modulus = \"true\"", "modulus = \"mu/alpha\""}});
-  const json five = identify("five");
-  EXPECT_NEAR(five["skin"]["mu_highrate_true_Pa"].get<double>() / as_true["skin"]["mu_highrate_true_Pa"].get<double>(), 2.5, 1e-12)
-      << "the same number, read as mu/alpha, means alpha/2 times as much";
-  EXPECT_NEAR(five["ridge"][1]["mu_true_Pa"].get<double>() / five["ridge"][1]["mu_as_given_Pa"].get<double>(), 2.5, 1e-12);
-  EXPECT_NEAR(five["ridge"][1]["mu_true_Pa"].get<double>() / as_true["ridge"][1]["mu_true_Pa"].get<double>(), 1, 0.05) << "what gives the depth stays: search noise";
+  // mu/alpha at alpha = 5 means 2.5 times as much, so that 2.5 times less is the same gel.
+  job({{"modulus = \"true\"", "modulus = \"mu/alpha\""}, {"rate_factor = 10", "rate_factor = 4"}, {"\"5 MPa\"", "\"2 MPa\""}});
+  const json given = identify("given", "2", "true");
+  EXPECT_LT(given["cost"]["runs"], 3) << "all but roundings of the modulus are the same impacts";
+  const auto ratio = [](const json& a, const json& b) { return a.get<double>() / b.get<double>(); };
+  EXPECT_NEAR(ratio(given["skin"]["mu_highrate_true_Pa"], given["skin"]["mu_highrate_as_given_Pa"]), 2.5, 1e-12);
+  EXPECT_NEAR(ratio(given["skin"]["youngs_quasistatic_true_Pa"], given["skin"]["youngs_quasistatic_as_given_Pa"]), 2.5, 1e-12);
+  EXPECT_NEAR(ratio(given["skin"]["mu_highrate_true_Pa"], as_true["skin"]["mu_highrate_true_Pa"]), 1, 1e-12);
+  EXPECT_NEAR(ratio(given["skin"]["erosion_strain"], as_true["skin"]["erosion_strain"]), 1, 1e-6);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(ratio(given["ridge"][k]["mu_true_Pa"], given["ridge"][k]["mu_as_given_Pa"]), 2.5, 1e-12);
+    EXPECT_NEAR(ratio(given["ridge"][k]["mu_true_Pa"], as_true["ridge"][k]["mu_true_Pa"]), 1, 1e-6);
+  }
 }
 
 TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
-  write("pairs.csv", "mu_MPa,strain,model_kPa\n17.5,0.3,464\n11.9,0.6,316\n6.0,1.0,159\n");
-  job({{"value = 5", "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = \"mu\"\nerosion_strain = \"strain\"\nmu_model = \"model\""}});
+  write("pairs.csv", "mu_MPa,strain,model_kPa\n11.2,0.45,297\n11.7,0.6,310\n5.65,0.8,150\n");
+  job({{"[0.3, 0.6, 0.8]", "[0.45, 0.6, 0.8]"}, {"value = 5", "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = \"mu\"\nerosion_strain = \"strain\"\nmu_model = \"model\""}});
   const json found = identify("out");
   EXPECT_EQ(found["alpha"]["from"], "scan");
   EXPECT_EQ(found["alpha"]["ridge_is_in_sample"], true);
-  const double alpha = found["alpha"]["value"], low = found["alpha"]["indistinguishable_from"], high = found["alpha"]["indistinguishable_to"];
-  EXPECT_LE(low, 5.0) << "the pairs are this solver's own ridge at alpha = 5";
-  EXPECT_GE(high, 5.0);
-  EXPECT_EQ(alpha, low);
+  EXPECT_NEAR(found["alpha"]["best"], 5, 0.5) << "the pairs are this solver's own ridge at alpha = 5";
+  EXPECT_NEAR(found["alpha"]["value"].get<double>(), found["alpha"]["indistinguishable_from"].get<double>(), 1e-9);
   for (const json& point : found["ridge"]) {
     EXPECT_NEAR(point["depth_over_radius_at_table_pair"], 11.5, 1.5) << "all pairs were made for 230 um/20 um";
     EXPECT_GT(point["table_mu_as_given_Pa"], 0.0);
   }
   EXPECT_THAT(found["findings"].dump(), HasSubstr("in-sample"));
   EXPECT_EQ(found["tables"][0]["name"], "pairs, identified modulus");
-  for (const json& row : found["tables"][1]["rows"]) EXPECT_NEAR(row["difference"], 0, 2e-3) << "rounded to 1 kPa in 159";
+  for (const json& row : found["tables"][1]["rows"]) EXPECT_NEAR(row["difference"], 0, 4e-3) << "rounded to 1 kPa in 150";
 }
 
 TEST_F(SecondJob, ARidgeThatDoesNotReachTheModulusEndsWithExitCodeThree) {
-  job({{"[0.3, 0.6, 1.0]", "[0.9, 1.0]"}});
+  job({{"[0.3, 0.6, 0.8]", "[0.9, 1.0]"}});
   const Ended ended = run({"identify", "liver.toml", "--store", "s.store", "--out", "out"});
   EXPECT_EQ(ended.code, 3) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("the ridge does not reach"));
@@ -184,7 +182,7 @@ TEST_F(SecondJob, ARidgeThatDoesNotReachTheModulusEndsWithExitCodeThree) {
 }
 
 TEST_F(SecondJob, AStrainAtWhichNoModulusGivesTheDepthIsNamedAndLeftOut) {
-  job({{"[0.3, 0.6, 1.0]", "[1e-6, 0.3, 1.0]"}});
+  job({{"[0.3, 0.6, 0.8]", "[1e-6, 0.3, 1.0]"}});
   const json found = identify("out");
   EXPECT_NE(found["ridge"][0]["outcome"], "found");
   EXPECT_TRUE(found["ridge"][0]["mu_true_Pa"].is_null());

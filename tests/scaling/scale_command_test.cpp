@@ -209,6 +209,7 @@ struct BadJob {
   std::string name, model;
   std::vector<std::string> says;
 };
+void PrintTo(const BadJob& job, std::ostream* out) { *out << job.name; }  // not its bytes, which change
 class PercalScaleOfABadJob : public PercalScale, public testing::WithParamInterface<BadJob> {};
 
 TEST_P(PercalScaleOfABadJob, EndsWithExitCode2AndSaysWhere) {

@@ -74,11 +74,12 @@ Evaluation Campaign::evaluate(const Problem& problem) {
 }
 
 std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress) {
-  // Problems that are the same are evaluated once.
+  // Problems that are the same are evaluated once; those with a history apart from those without.
   std::map<std::string, std::size_t> first_with_key;
   std::vector<std::size_t> stands_for(problems.size()), distinct;
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    const auto [place, is_new] = first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()), i);
+    const char* history = std::holds_alternative<NoHistory>(problems[i].history) ? "" : " history";
+    const auto [place, is_new] = first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()) + history, i);
     stands_for[i] = place->second;
     if (is_new) distinct.push_back(i);
   }

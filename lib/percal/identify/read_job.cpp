@@ -305,8 +305,10 @@ IdentifyJob read_identify_job(const std::string& path) {
     job.check_replicates = check->integer("replicates", 1, 100, job.check_replicates);
   }
   if (const auto study = root.optional_table("mesh_study")) {
-    for (const double elements : study->numbers("elements_per_radius", Range{1, 1000, false, false, "a number of elements from 1 to 1000"}))
-      job.mesh_study.push_back(static_cast<int>(std::lround(elements)));
+    for (const double elements : study->numbers("elements_per_radius", Range{1, 1000, false, false, "a whole number from 1 to 1000"})) {
+      if (elements != std::floor(elements)) study->refuse("elements_per_radius", "a fraction of an element", "whole numbers from 1 to 1000");
+      job.mesh_study.push_back(static_cast<int>(elements));
+    }
   }
   for (const TomlTable& block : root.tables("predictions"))
     for (auto& set : read_predictions(block)) job.predictions.push_back(std::move(set));

@@ -61,28 +61,35 @@ PERCAL_INLINE double square_root(double x) { return __builtin_sqrt(x); }
 #if defined(__AVX512F__)
 PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm512_sqrt_ps((__m512)x); }
 PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm512_sqrt_pd((__m512d)x); }
-PERCAL_INLINE bool any(FloatLanes::Bits m) { return _mm512_test_epi32_mask((__m512i)m, (__m512i)m) != 0; }
-PERCAL_INLINE bool any(DoubleLanes::Bits m) { return _mm512_test_epi64_mask((__m512i)m, (__m512i)m) != 0; }
 #elif defined(__AVX2__)
 PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm256_sqrt_ps((__m256)x); }
 PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm256_sqrt_pd((__m256d)x); }
-PERCAL_INLINE bool any(FloatLanes::Bits m) { return _mm256_movemask_ps((__m256)m) != 0; }
-PERCAL_INLINE bool any(DoubleLanes::Bits m) { return _mm256_movemask_pd((__m256d)m) != 0; }
 #elif defined(__SSE4_2__)
 PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm_sqrt_ps((__m128)x); }
 PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm_sqrt_pd((__m128d)x); }
-PERCAL_INLINE bool any(FloatLanes::Bits m) { return _mm_movemask_ps((__m128)m) != 0; }
-PERCAL_INLINE bool any(DoubleLanes::Bits m) { return _mm_movemask_pd((__m128d)m) != 0; }
 #else
 template <class V> PERCAL_INLINE V square_root(V x) {
   for (int l = 0; l < Lane<V>::count; ++l) x[l] = square_root(x[l]);
   return x;
 }
-template <class M> PERCAL_INLINE bool any(M m) {
-  for (unsigned l = 0; l < sizeof(M) / sizeof(m[0]); ++l) if (m[l]) return true;
-  return false;
-}
 #endif
+
+// Whether a mask, as comparisons return it, is set in some lane.
+template <class M> PERCAL_INLINE bool any(M mask) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(mask[0]) == 4) return _mm512_test_epi32_mask((__m512i)mask, (__m512i)mask) != 0;
+  else return _mm512_test_epi64_mask((__m512i)mask, (__m512i)mask) != 0;
+#elif defined(__AVX2__)
+  if constexpr (sizeof(mask[0]) == 4) return _mm256_movemask_ps((__m256)mask) != 0;
+  else return _mm256_movemask_pd((__m256d)mask) != 0;
+#elif defined(__SSE4_2__)
+  if constexpr (sizeof(mask[0]) == 4) return _mm_movemask_ps((__m128)mask) != 0;
+  else return _mm_movemask_pd((__m128d)mask) != 0;
+#else
+  for (unsigned l = 0; l < sizeof(M) / sizeof(mask[0]); ++l) if (mask[l]) return true;
+  return false;
+#endif
+}
 
 // The sum and the extremes over the lanes, in lane order.
 template <class V> PERCAL_INLINE double lane_sum(V v) {
@@ -103,10 +110,17 @@ template <class V> PERCAL_INLINE RealOf<V> lane_smallest(V v) {
 
 // `now` moved up by one lane, the last lane of `before` moving in: what element j-1 gives to node j.
 template <class V> PERCAL_INLINE V shifted(V now, V before) {
+  constexpr int count = Lane<V>::count;
+#if defined(__clang__)
+  V up{};
+  for (int l = 0; l < count; ++l) up[l] = l == 0 ? before[count - 1] : now[l - 1];
+  return up;
+#else
   BitsOf<V> from{};
 #pragma GCC unroll 16
-  for (int l = 0; l < Lane<V>::count; ++l) from[l] = Lane<V>::count - 1 + l;
+  for (int l = 0; l < count; ++l) from[l] = count - 1 + l;
   return __builtin_shuffle(before, now, from);
+#endif
 }
 
 // --- log2 and exp2 --------------------------------------------------------------------------------------------------

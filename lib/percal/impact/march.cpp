@@ -204,6 +204,7 @@ class March {
     result_.energy = energy;
     result_.end_time = time_;
     result_.end_speed = sphere_.speed;
+    recorder_.finish({time_, sphere_.tip, sphere_.speed, contact_.force});
     result_.history = recorder_.take();
     const bool closes = std::abs(energy.closure()) <= tolerated_energy_error;  // false for NaN
     if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");

@@ -15,6 +15,7 @@ template <> class Recorder<NoHistory> {
  public:
   explicit Recorder(const NoHistory&) {}
   void record(const HistoryPoint&) {}
+  void finish(const HistoryPoint&) {}
   std::vector<HistoryPoint> take() { return {}; }
 };
 static_assert(std::is_empty_v<Recorder<NoHistory>>);
@@ -32,6 +33,11 @@ template <> class Recorder<History> {
     for (std::size_t k = 0; k < points_.size(); k += 2) points_[kept++] = points_[k];
     points_.resize(kept);
     stride_ *= 2;
+  }
+  // The last point, kept whatever the stride.
+  void finish(const HistoryPoint& point) {
+    if (!points_.empty() && points_.back().time == point.time) points_.pop_back();
+    points_.push_back(point);
   }
   std::vector<HistoryPoint> take() { return std::move(points_); }
 

@@ -29,7 +29,7 @@ Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& 
     p.mixed |= run.result.outcome != p.outcomes.front();
     if (p.outcome == Outcome::stopped) p.outcome = run.result.outcome;
     if (run.result.outcome == Outcome::passed_through) p.at_least = problem.depth * scales.radius;
-    p.worst_closure = std::max(p.worst_closure, std::abs(run.result.energy.closure()));
+    if (run.result.steps > 0) p.worst_closure = std::max(p.worst_closure, std::abs(run.result.energy.closure()));
   }
   p.energy = mean_energy(replicates);
   if (p.outcome != Outcome::stopped) return p;

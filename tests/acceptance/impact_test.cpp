@@ -1,0 +1,161 @@
+// percal impact: the outcomes by name and exit code, the keys of the result, the streams.
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "acceptance/program.hpp"
+
+namespace percal {
+namespace {
+
+using acceptance::Ended;
+using acceptance::guha2009;
+using acceptance::Program;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Impact : public Program {
+ protected:
+  // tests/data/layer.toml with pieces of its text replaced.
+  std::string scene(const std::vector<std::pair<std::string, std::string>>& replacements = {}) const {
+    std::string text = text_of(acceptance::test_data + "layer.toml");
+    for (const auto& [from, to] : replacements) text.replace(text.find(from), from.size(), to);
+    return write("layer.toml", text);
+  }
+  Ended impact(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "impact");
+    arguments.insert(arguments.end(), {"--store", path("store")});
+    return run(arguments);
+  }
+};
+
+TEST_F(Impact, ThatStopsGivesADepth) {
+  const Ended ended = impact({scene(), "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.err, IsEmpty());
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found["outcome"], "stopped");
+  for (const char* key : {"depth_m", "depth_spread_m", "steps", "elements", "wall_s", "cpu_s"}) EXPECT_GT(found[key], 0.0) << key;
+  EXPECT_LT(found["depth_m"], 600e-6);
+  EXPECT_TRUE(found["depth_at_least_m"].is_null());
+  EXPECT_THAT(found["isa"].get<std::string>(), testing::Not(IsEmpty()));
+  for (const char* term : {"particle", "live_kinetic", "freed_mass", "elastic", "hourglass", "viscosity", "eroded", "contact", "contact_dropped", "sum"})
+    EXPECT_TRUE(found["energy"].contains(term)) << term;
+  EXPECT_NEAR(found["energy"]["sum"], 1, 0.05);
+  ASSERT_GT(found["left_out"].size(), 0u);
+  for (const json& omission : found["left_out"]) {
+    EXPECT_THAT(omission["what"].get<std::string>(), testing::Not(IsEmpty()));
+    EXPECT_THAT(omission["why"].get<std::string>(), testing::Not(IsEmpty()));
+  }
+  EXPECT_EQ(found["runs"].size(), 3u);
+}
+
+TEST_F(Impact, ThatPassesThroughIsAResult) {
+  const std::string thin = scene({{"depth = \"600 um\"", "depth = \"60 um\""}});
+  const Ended ended = impact({thin, "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found["outcome"], "passed through");
+  EXPECT_TRUE(found["depth_m"].is_null() && found["depth_spread_m"].is_null());
+  EXPECT_NEAR(found["depth_at_least_m"], 60e-6, 1e-15);
+  EXPECT_THAT(impact({thin}).out, AllOf(HasSubstr("passed through"), HasSubstr("deeper than the layer's 60 um")));
+}
+
+TEST_F(Impact, WhoseTimeIsUpHasNoDepth) {
+  const std::string hasty = scene({{"[mesh]", "[solver]\nend_time = \"0.2 us\"\n[mesh]"}});
+  const Ended ended = impact({hasty, "--json"});
+  EXPECT_EQ(ended.code, 3);
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found["outcome"], "time up");
+  EXPECT_TRUE(found["depth_m"].is_null());
+  EXPECT_THAT(impact({hasty}).out, HasSubstr("time up"));
+}
+
+TEST_F(Impact, FasterThanTheWavesIsRefusedWithItsMachNumberAndARemedy) {
+  const std::string fast = scene({{"\"120 m/s\"", "\"600 m/s\""}, {"alpha = 5", "alpha = 5\nnu = 0.45"}});
+  const Ended ended = impact({fast, "--json"});
+  EXPECT_EQ(ended.code, 3);
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found["outcome"], "supersonic");
+  EXPECT_TRUE(found["depth_m"].is_null());
+  // v/sqrt((K + 4 mu/3)/rho), K/mu = 2 (1 + nu)/(3 (1 - 2 nu))
+  EXPECT_NEAR(found["mach"], 600 / std::sqrt(12e6 * (2.9 / 0.3 + 4.0 / 3) / 1060), 1e-9);
+  EXPECT_THAT(impact({fast}).out, AllOf(HasSubstr("Mach number 1.7"), HasSubstr("bulk_to_shear"), HasSubstr("a speed of")));
+}
+
+TEST_F(Impact, OfASimilarSystemIsNotRunAgain) {
+  const auto at_four = [&](const std::string& name) {
+    const Ended ended = impact({guha2009 + name, "--elements-per-radius", "4", "--json"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return json::parse(ended.out);
+  };
+  const json gold = at_four("gold.toml"), steel = at_four("steel.toml");
+  EXPECT_EQ(gold["reused"], 0);
+  EXPECT_EQ(steel["reused"], 3) << "one dimensionless problem";
+  EXPECT_EQ(steel["cpu_s"], 0.0);
+  EXPECT_NEAR(steel["depth_m"].get<double>() / 1.59e-3, gold["depth_m"].get<double>() / 1e-6, 1e-12 * 30);
+  EXPECT_EQ(steel["energy"], gold["energy"]);
+}
+
+TEST_F(Impact, WritesItsHistoryAsCsv) {
+  const Ended ended = impact({scene(), "--history", path("history/run.csv"), "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  std::istringstream lines(read("history/run.csv"));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "time_s,tip_m,speed_m_s,force_N");
+  double deepest = 0, before = -1, first_speed = 0, last_speed = 0;
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows) {
+    double time, tip, speed, force;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &tip, &speed, &force), 4) << line;
+    EXPECT_GT(time, before);
+    before = time;
+    deepest = std::max(deepest, tip);
+    if (rows == 0) first_speed = speed;
+    last_speed = speed;
+  }
+  EXPECT_GT(rows, 100);
+  EXPECT_NEAR(first_speed, 120, 1);
+  EXPECT_LE(last_speed, 0.5);
+  EXPECT_NEAR(deepest / json::parse(ended.out)["runs"][0]["depth_m"].get<double>(), 1, 1e-6) << "the first replicate's";
+}
+
+TEST_F(Impact, PrintsNothingWhenAskedToBeQuiet) {
+  const Ended ended = impact({scene(), "--quiet", "--out", path("out")});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out + ended.err, IsEmpty());
+  EXPECT_EQ(result("out/result.json")["outcome"], "stopped");
+}
+
+TEST_F(Impact, TheResultsFolderHoldsWhatIsPrinted) {
+  const Ended ended = impact({scene(), "--json", "--out", path("out")});
+  EXPECT_EQ(read("out/result.json"), ended.out);
+  EXPECT_EQ(files("out"), (std::set<std::string>{"out/result.json"}));
+}
+
+TEST_F(Impact, ACheckRunsAndWritesNothing) {
+  const std::string file = scene();
+  const auto before = files();
+  EXPECT_EQ(impact({file, "--check", "--out", path("out")}).code, 0);
+  EXPECT_EQ(json::parse(impact({file, "--check", "--json"}).out)["valid"], true);
+  EXPECT_THAT(impact({file, "--check", "--quiet"}).out, IsEmpty());
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(Impact, ResultsDoNotDependOnTheNumberOfThreads) {
+  scene();
+  std::vector<json> found;
+  for (const char* threads : {"1", "3"}) {
+    const Ended ended = run({"impact", "layer.toml", "--json", "--threads", threads, "--store", path(std::string("store") + threads)});
+    found.push_back(json::parse(ended.out));
+    for (const char* cost : {"wall_s", "cpu_s"}) found.back().erase(cost);
+    for (json& one : found.back()["runs"]) one.erase("cpu_s");
+  }
+  EXPECT_EQ(found[0].dump(), found[1].dump());
+}
+
+}  // namespace
+}  // namespace percal

@@ -1,0 +1,189 @@
+#include "percal/campaign/campaign.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "percal/impact/kernel.hpp"
+
+namespace percal {
+namespace {
+
+// A run of some milliseconds.
+Problem quick(double pi4 = 6.6474) {
+  Problem p;
+  p.pi4 = pi4;
+  p.density_ratio = 16.8;
+  p.alpha = 8.5;
+  p.depth = 20;
+  p.elements_per_radius = 4;
+  p.graded_columns = 2;
+  p.erosion = StrainErosion{0.7};
+  p.end_time = 3;
+  return p;
+}
+
+std::vector<Problem> several() {
+  std::vector<Problem> problems;
+  for (const double pi4 : {9.0, 1.0, 4.0, 2.0, 6.0, 3.0}) problems.push_back(quick(pi4));
+  return problems;
+}
+
+class CampaignTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "percal-campaign-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    store = std::make_unique<Store>((folder_ / "percal.store").string());
+  }
+  void TearDown() override {
+    store.reset();
+    std::filesystem::remove_all(folder_);
+  }
+  std::unique_ptr<Store> store;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(CampaignTest, WhatIsInTheStoreIsNotRunAgain) {
+  Campaign first(store.get(), 1);
+  const Evaluation run = first.evaluate(quick());
+  EXPECT_FALSE(run.reused);
+  Campaign second(store.get(), 1);
+  const Evaluation found = second.evaluate(quick());
+  EXPECT_TRUE(found.reused);
+  EXPECT_EQ(found.result.depth, run.result.depth);
+  EXPECT_EQ(found.result.energy.sum(), run.result.energy.sum());
+  EXPECT_EQ(found.result.outcome, run.result.outcome);
+  EXPECT_EQ(second.cost().runs, 0);
+  EXPECT_EQ(second.cost().reused, 1);
+  EXPECT_EQ(second.cost().cpu_seconds, 0);
+}
+
+TEST_F(CampaignTest, AnotherProblemIsRun) {
+  Campaign campaign(store.get(), 1);
+  campaign.evaluate(quick());
+  Problem other = quick();
+  other.speed_factor = 1.001;
+  EXPECT_FALSE(campaign.evaluate(other).reused);
+  EXPECT_EQ(store->size(), 2);
+}
+
+TEST_F(CampaignTest, FailuresAreKeptAsFailures) {
+  Problem p = quick();
+  p.bulk_ratio = 1;
+  Campaign campaign(store.get(), 1);
+  EXPECT_EQ(campaign.evaluate(p).result.outcome, Outcome::supersonic);
+  EXPECT_EQ(store->find(evaluation_key(p, instruction_level()))->outcome, "supersonic");
+  EXPECT_EQ(campaign.evaluate(p).result.outcome, Outcome::supersonic);
+  EXPECT_EQ(campaign.cost().reused, 1);
+}
+
+TEST_F(CampaignTest, AHistoryIsRunThoughTheStoreHasTheProblem) {
+  Campaign campaign(store.get(), 1);
+  campaign.evaluate(quick());
+  Problem with_history = quick();
+  with_history.history = History{};
+  const Evaluation run = campaign.evaluate(with_history);
+  EXPECT_FALSE(run.reused);
+  EXPECT_FALSE(run.result.history.empty());
+  EXPECT_EQ(store->size(), 1);
+}
+
+TEST_F(CampaignTest, TheSameProblemTwiceInABatchIsRunOnce) {
+  Campaign campaign(store.get(), 2);
+  const auto results = campaign.evaluate({quick(2), quick(3), quick(2), quick(2)}, nullptr);
+  EXPECT_EQ(campaign.cost().runs, 2);
+  EXPECT_EQ(results[0].result.depth, results[2].result.depth);
+  EXPECT_EQ(results[0].result.depth, results[3].result.depth);
+  EXPECT_NE(results[0].result.depth, results[1].result.depth);
+}
+
+TEST(Campaign, ATwinWithoutAHistoryDoesNotTakeTheOthersAway) {
+  Problem with_history = quick();
+  with_history.history = History{};
+  Campaign campaign(nullptr, 1);
+  const auto results = campaign.evaluate({quick(), with_history}, nullptr);
+  EXPECT_FALSE(results[1].result.history.empty());
+}
+
+TEST(Campaign, ResultsComeInTheOrderOfTheProblemsWithTheSameBitsOnAnyNumberOfThreads) {
+  Campaign alone(nullptr, 1), together(nullptr, 2), crowd(nullptr, 5);
+  const auto expected = alone.evaluate(several(), nullptr), by_two = together.evaluate(several(), nullptr),
+             by_five = crowd.evaluate(several(), nullptr);
+  std::set<double> depths;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(expected[i].result.depth, alone.evaluate(several()[i]).result.depth);
+    for (const auto* results : {&by_two, &by_five}) {
+      EXPECT_EQ(expected[i].result.depth, (*results)[i].result.depth) << i;
+      EXPECT_EQ(expected[i].result.end_speed, (*results)[i].result.end_speed) << i;
+      EXPECT_EQ(expected[i].result.energy.sum(), (*results)[i].result.energy.sum()) << i;
+    }
+    depths.insert(expected[i].result.depth);
+  }
+  EXPECT_EQ(depths.size(), expected.size()) << "all different, so that their order shows";
+}
+
+TEST(Campaign, ReplicatesBelongToTheirProblems) {
+  Campaign campaign(nullptr, 2);
+  const auto grouped = campaign.replicate({quick(2), quick(8)}, 3, nullptr);
+  ASSERT_EQ(grouped.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(grouped[i].size(), 3u);
+    for (int k = 0; k < 3; ++k) {
+      Problem p = quick(i == 0 ? 2 : 8);
+      p.speed_factor = replicate_speed_factor(k);
+      EXPECT_EQ(grouped[i][k].result.depth, campaign.evaluate(p).result.depth) << i << " " << k;
+    }
+  }
+}
+
+TEST(Campaign, CountsWhatItSpent) {
+  Campaign campaign(nullptr, 2);
+  campaign.evaluate(several(), nullptr);
+  EXPECT_EQ(campaign.cost().runs, 6);
+  EXPECT_EQ(campaign.cost().reused, 0);
+  EXPECT_GT(campaign.cost().cpu_seconds, 0);
+}
+
+TEST(Campaign, DoesEveryPieceOfWorkOnce) {
+  for (const int threads : {1, 2, 7}) {
+    const Campaign campaign(nullptr, threads);
+    std::vector<std::atomic<int>> done(100);
+    campaign.side_by_side(100, [&](int k) { ++done[k]; });
+    for (const auto& count : done) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(Campaign, TheFirstExceptionEndsTheRestAndIsThrown) {
+  for (const int threads : {1, 3}) {
+    const Campaign campaign(nullptr, threads);
+    std::atomic<int> begun{0};
+    try {
+      campaign.side_by_side(1000, [&](int k) {
+        ++begun;
+        if (k == 5) throw std::runtime_error("the fifth");
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      });
+      FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& error) {
+      EXPECT_STREQ(error.what(), "the fifth");
+    }
+    EXPECT_LT(begun, 100);
+  }
+}
+
+TEST(Campaign, UsesEveryCoreWhereNoNumberOfThreadsIsGiven) {
+  EXPECT_EQ(Campaign(nullptr, 0).threads(), static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  EXPECT_EQ(Campaign(nullptr, 3).threads(), 3);
+}
+
+}  // namespace
+}  // namespace percal

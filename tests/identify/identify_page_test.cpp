@@ -1,0 +1,100 @@
+// docs/formats/identify.md against the reader and the result: every key that is asked for or written stands on the page.
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "acceptance/program.hpp"
+#include "percal/identify/job.hpp"
+
+namespace percal {
+namespace {
+
+using acceptance::LiverJob;
+using nlohmann::json;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+using Keys = std::map<std::string, std::set<std::string>>;  // by the heading of their block, "[gelatin]" or "Top level"
+
+class IdentifyPage : public LiverJob {
+ protected:
+  static std::string page() { return text_of(PERCAL_DATA "/../docs/formats/identify.md"); }
+
+  static Keys described() {
+    Keys keys;
+    std::istringstream lines(page());
+    std::string heading;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("# Results")) break;
+      if (line.starts_with("## ")) heading = line.substr(3);
+      if (line.starts_with("| `")) keys[heading].insert(line.substr(3, line.find('`', 3) - 3));
+    }
+    return keys;
+  }
+
+  // The keys that the reader lists as accepted where it finds one that it does not know below this line of a job.
+  std::set<std::string> accepted(std::string text, std::size_t end_of_header) const {
+    text.insert(end_of_header, "\nzzzzzzzz = 1");
+    std::set<std::string> keys;
+    try {
+      read_identify_job(write("page.toml", text));
+    } catch (const BadInput& error) {
+      const std::string message = error.what(), before = "accepted: ";
+      EXPECT_THAT(message, HasSubstr("zzzzzzzz"));
+      std::istringstream words(message.substr(message.find(before) + before.size()));
+      for (std::string word; std::getline(words >> std::ws, word, ',');) keys.insert(word);
+    }
+    return keys;
+  }
+
+  void collect(const std::string& text, Keys& keys) const {
+    keys["Top level"].merge(accepted("\n" + text, 0));
+    for (std::size_t at = text.find("\n["); at != std::string::npos; at = text.find("\n[", at + 1)) {
+      const std::size_t end = text.find_first_of(" \n", at + 1);
+      keys[text.substr(at + 1, end - at - 1)].merge(accepted(text, text.find('\n', at + 1)));
+    }
+  }
+};
+
+TEST_F(IdentifyPage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
+  for (const auto& table : fs::directory_iterator(acceptance::guha2009))
+    if (table.path().extension() == ".csv") fs::copy_file(table.path(), folder / table.path().filename());
+  Keys keys;
+  collect(text_of(acceptance::guha2009 + "skin.toml"), keys);
+  collect(text_of(acceptance::test_data + "liver/liver.toml"), keys);
+  // Neither job has cases by diameter or with densities in a column: the keys of [[predictions]].
+  for (const char* key : {"particle_column", "particle_density_column", "diameter_column"}) keys["[scaled_line.cases]"].insert(key);
+  // Read only where they are there.
+  for (const char* block : {"[gelatin.formulations]", "[alpha.target]", "[[predictions]]", "[[trends]]", "[scaled_line.shots]", "[scaled_line.cases]"}) keys[block].insert("where");
+  keys["[card]"].insert("comments");
+  EXPECT_EQ(keys, described());
+}
+
+TEST_F(IdentifyPage, NamesEveryKeyOfTheReference) {
+  std::set<std::string> known{"name"};
+  for (const auto& [key, dimension] : reference_keys()) known.insert(key);
+  EXPECT_EQ(described()["[reference]"], known);
+}
+
+void collect_keys(const json& value, std::set<std::string>& keys) {
+  if (value.is_object())
+    for (const auto& [key, inner] : value.items()) {
+      keys.insert(key);
+      collect_keys(inner, keys);
+    }
+  if (value.is_array())
+    for (const json& inner : value) collect_keys(inner, keys);
+}
+
+TEST_F(IdentifyPage, NamesEveryKeyOfAResult) {
+  write("pairs.csv", "mu_MPa,strain\n17.5,0.3\n11.7,0.6\n5.65,0.8\n");
+  job({{"value = 5", "scan = [4, 6]\nelements_per_radius = 3\nreplicates = 2\n[alpha.target]\nfile = \"pairs.csv\"\nmu = \"mu\"\nerosion_strain = \"strain\""}});
+  run({"identify", "liver.toml", "--store", "store", "--out", "out", "--quiet"});
+  std::set<std::string> keys;
+  collect_keys(result("out/result.json"), keys);
+  EXPECT_GT(keys.size(), 60u);
+  const std::string all = page(), results = all.substr(all.find("# Results"));
+  for (const auto& key : keys) EXPECT_THAT(results, HasSubstr("`" + key + "`"));
+}
+
+}  // namespace
+}  // namespace percal

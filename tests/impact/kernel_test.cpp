@@ -1,0 +1,192 @@
+// Every instruction level's kernel against the scalar element code, and forces against energies.
+#include "percal/impact/kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "impact/element_reference.hpp"
+#include "percal/impact/ledger.hpp"
+
+namespace percal {
+namespace {
+
+double largest(const NodalForces& forces) {
+  double size = 0;
+  for (const double f : forces.r) size = std::max(size, std::abs(f));
+  for (const double f : forces.z) size = std::max(size, std::abs(f));
+  return size;
+}
+
+// Largest difference of a nodal force from the reference, over the largest force.
+template <class Real>
+double largest_difference(const Block<Real>& block, const NodalForces& reference) {
+  double worst = 0;
+  for (int i = 0; i <= block.mesh().columns(); ++i)
+    for (int j = 0; j <= block.mesh().rows; ++j) {
+      const long n = block.at(i, j);
+      worst = std::max({worst, std::abs(block.view().f_r[n] - reference.r[n]), std::abs(block.view().f_z[n] - reference.z[n])});
+    }
+  return worst / largest(reference);
+}
+
+template <class Real>
+void meets_the_scalar_code(double tolerance) {
+  for (const auto& kernels : kernels_here())
+    for (const double alpha : {-6.0, 2.0, 8.5, 20.0})
+      for (const double previous_step : {0.0, 0.05})
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+          const Problem problem = small_problem(alpha);
+          const auto& kernel = of<Real>(kernels);
+          const Block<Real> block(problem, mesh_of(problem), 1, kernel.lanes);
+          displace(block, 0.15, seed);
+          const NodalForces reference = reference_forces(block, constants_of(problem), previous_step);
+          const auto report = all_internal_forces(kernel, block, constants_of(problem), previous_step);
+          EXPECT_LT(largest_difference(block, reference), tolerance) << kernels.level << ", alpha " << alpha << ", seed " << seed;
+          EXPECT_NEAR(report.largest_inverse_step, reference.largest_inverse_step, 10 * tolerance * reference.largest_inverse_step);
+          EXPECT_NEAR(report.viscous_work, reference.viscous_work, 10 * tolerance * std::abs(reference.viscous_work)) << kernels.level;
+          EXPECT_EQ(report.viscous_work != 0, previous_step > 0);
+        }
+}
+
+TEST(Kernel, EveryLevelInDoubleMeetsTheScalarElementCode) { meets_the_scalar_code<double>(1e-12); }
+
+// Twenty single roundings; the largest force belongs to an element with J well off 1, the rest are smaller.
+TEST(Kernel, EveryLevelInSingleMeetsTheScalarElementCodeWithinFloatAccuracy) { meets_the_scalar_code<float>(20 * 0x1p-23); }
+
+TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
+  for (const double alpha : {-6.0, 2.0, 8.5, 20.0}) {
+    Problem problem = small_problem(alpha);
+    problem.depth = 4;
+    problem.hourglass = 5;  // so that its part weighs as much as the others
+    const auto& kernel = percal::kernel<double>();
+    const Block<double> block(problem, mesh_of(problem), 1, kernel.lanes);
+    displace(block, 0.15, 11);
+    const auto material = constants_of(problem);
+    all_internal_forces(kernel, block, material, 0);
+    const auto& view = block.view();
+    double size = 0;
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 0; j <= block.mesh().rows; ++j) size = std::max(size, std::abs(view.f_r[block.at(i, j)]));
+    const auto energy = [&] {
+      const EnergyLedger stored = stored_energy(block, material);
+      return stored.elastic + stored.hourglass;
+    };
+    const double step = 1e-6;
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 0; j <= block.mesh().rows; ++j)
+        for (const auto& [u, f] : {std::pair{view.u_r, view.f_r}, {view.u_z, view.f_z}}) {
+          const long n = block.at(i, j);
+          const double at = u[n];
+          u[n] = at + step;
+          const double above = energy();
+          u[n] = at - step;
+          const double below = energy();
+          u[n] = at;
+          EXPECT_NEAR(f[n], -(above - below) / (2 * step), 1e-7 * size) << "alpha " << alpha << ", node " << i << ", " << j;
+        }
+  }
+}
+
+TEST(Kernel, ARigidTranslationAlongTheAxisMakesNoForceAndNoEnergy) {
+  const Problem problem = small_problem(8.5);
+  for (const auto& kernels : kernels_here()) {
+    const Block<float> block(problem, mesh_of(problem), 1, kernels.single->lanes);
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 0; j <= block.mesh().rows; ++j) block.view().u_z[block.at(i, j)] = 17.3f;
+    all_internal_forces(*kernels.single, block, constants_of(problem), 0);
+    // Far below mu times an element's face, 2 x 0.33 x 0.33: rounding of the stress-free state.
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 0; j <= block.mesh().rows; ++j) {
+        EXPECT_NEAR(block.view().f_r[block.at(i, j)], 0, 1e-7) << kernels.level;
+        EXPECT_NEAR(block.view().f_z[block.at(i, j)], 0, 1e-7) << kernels.level;
+      }
+    const EnergyLedger stored = stored_energy(block, constants_of(problem));
+    EXPECT_NEAR(stored.elastic, 0, 1e-10);
+    EXPECT_EQ(stored.hourglass, 0);
+  }
+}
+
+TEST(Kernel, InternalForcesAlongTheAxisAddUpToNothing) {
+  const Problem problem = small_problem(8.5);
+  const auto& kernel = percal::kernel<double>();
+  const Block<double> block(problem, mesh_of(problem), 1, kernel.lanes);
+  displace(block, 0.2, 4);
+  all_internal_forces(kernel, block, constants_of(problem), 0.05);
+  double sum = 0, size = 0;
+  for (int i = 0; i <= block.mesh().columns(); ++i)
+    for (int j = 0; j <= block.mesh().rows; ++j) {
+      sum += block.view().f_z[block.at(i, j)];
+      size += std::abs(block.view().f_z[block.at(i, j)]);
+    }
+  EXPECT_GT(size, 1);
+  EXPECT_NEAR(sum, 0, 1e-14 * size);
+}
+
+TEST(Kernel, ElementsBeyondTheErosionStretchAreListedAndPullNoMore) {
+  const Problem problem = small_problem(8.5);
+  for (const auto& kernels : kernels_here()) {
+    Block<double> block(problem, mesh_of(problem), 1, kernels.twice->lanes);
+    auto material = constants_of(problem);
+    material.erosion_stretch = 1.5;
+    // Row 20 is pulled to a stretch of 1.6; everything else moves with it unstrained.
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 21; j <= block.mesh().rows; ++j) block.view().u_z[block.at(i, j)] = 0.6 * block.mesh().row_height;
+    std::vector<int> doomed(block.view().stride);
+    for (int i = 0; i < block.mesh().columns(); ++i) {
+      ColumnReport report;
+      kernels.twice->internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], material, 0, doomed.data(), report);
+      ASSERT_EQ(report.doomed, 1) << kernels.level;
+      EXPECT_EQ(doomed[0], 20) << kernels.level;
+      block.take_out(i, 20, [](int, int) {});
+    }
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (const int j : {20, 21}) EXPECT_NEAR(block.view().f_z[block.at(i, j)], 0, 1e-11) << kernels.level;
+    ColumnReport again;
+    kernels.twice->internal_forces(block.view(), 0, block.mesh().rows, block.shapes()[0], material, 0, doomed.data(), again);
+    EXPECT_EQ(again.doomed, 0) << "what is gone is not listed twice";
+  }
+}
+
+// The hoop stretch counts as a principal stretch: a ring that is widened as a whole erodes although nothing stretches in the plane.
+TEST(Kernel, TheHoopStretchErodesToo) {
+  const Problem problem = small_problem(8.5);
+  const auto& kernel = percal::kernel<double>();
+  const Block<double> block(problem, mesh_of(problem), 1, kernel.lanes);
+  auto material = constants_of(problem);
+  material.erosion_stretch = 1.5;
+  for (int i = 0; i <= block.mesh().columns(); ++i)
+    for (int j = 0; j <= block.mesh().rows; ++j) block.view().u_r[block.at(i, j)] = 0.6 * block.shapes()[2].mean_radius;
+  std::vector<int> doomed(block.view().stride);
+  ColumnReport report;
+  kernel.internal_forces(block.view(), 2, block.mesh().rows, block.shapes()[2], material, 0, doomed.data(), report);
+  EXPECT_EQ(report.doomed, block.mesh().rows);
+}
+
+TEST(Kernel, ContactPushesAlongTheRadiusAndTheSphereFeelsTheSame) {
+  const Problem problem = small_problem(8.5);
+  for (const auto& kernels : kernels_here()) {
+    const Block<double> block(problem, mesh_of(problem), 3.0, kernels.twice->lanes);
+    const auto& view = block.view();
+    const double centre = 4.1;
+    SphereReport report;
+    double sum = 0, energy = 0, deepest = 0;
+    for (int i = 0; i <= block.mesh().columns(); ++i) {
+      kernels.twice->sphere_contact(view, i, block.mesh().radius[i], block.mesh().row_height, 0, block.mesh().rows + 1, centre, report);
+      for (int j = 0; j <= block.mesh().rows; ++j) {
+        const double r = block.mesh().radius[i], z = j * block.mesh().row_height - centre, distance = std::hypot(r, z);
+        const double gap = std::max(0.0, 1 - distance), k = 3 * block.mass(i, j);
+        EXPECT_NEAR(view.f_r[block.at(i, j)], gap > 0 ? k * gap * r / distance : 0, 1e-14) << kernels.level;
+        EXPECT_NEAR(view.f_z[block.at(i, j)], gap > 0 ? k * gap * z / distance : 0, 1e-14) << kernels.level;
+        sum += view.f_z[block.at(i, j)];
+        energy += 0.5 * k * gap * gap;
+        deepest = std::max(deepest, gap);
+      }
+    }
+    EXPECT_NEAR(report.force, sum, 1e-14);
+    EXPECT_NEAR(report.spring_energy, energy, 1e-14);
+    EXPECT_NEAR(report.largest_gap, deepest, 1e-14);
+    EXPECT_GT(energy, 0);
+  }
+}
+
+}  // namespace
+}  // namespace percal

@@ -1,0 +1,235 @@
+#include "percal/impact/march.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "impact/setting_s.hpp"
+
+namespace percal {
+namespace {
+
+// The same bits in everything that the motion decides.
+void same_motion(const ImpactResult& a, const ImpactResult& b) {
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_EQ(a.end_time, b.end_time);
+  EXPECT_EQ(a.end_speed, b.end_speed);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.eroded, b.eroded);
+  EXPECT_EQ(a.smallest_jacobian, b.smallest_jacobian);
+  EXPECT_EQ(a.largest_gap, b.largest_gap);
+  EXPECT_EQ(a.energy.viscosity, b.energy.viscosity);
+  EXPECT_EQ(a.energy.particle, b.energy.particle);
+}
+
+// And in the energies of the whole block as well.
+void same_bits(const ImpactResult& a, const ImpactResult& b) {
+  same_motion(a, b);
+  EXPECT_EQ(a.energy.sum(), b.energy.sum());
+}
+
+TEST(March, TheSameProblemGivesTheSameBits) { same_bits(run_impact(setting_s(5)), run_impact(setting_s(5))); }
+
+TEST(March, AHistoryChangesNoBit) {
+  Problem p = setting_s(5);
+  const ImpactResult without = run_impact(p);
+  p.history = History{};
+  same_bits(run_impact(p), without);
+  EXPECT_TRUE(without.history.empty());
+}
+
+TEST(March, ADeeperLayerWhoseAddedRowsNoWaveReachesChangesNoBit) {
+  Problem p = setting_s(5);
+  p.end_time = 1;
+  const ImpactResult shallow = run_impact(p);
+  p.depth = 150;
+  const ImpactResult deep = run_impact(p);
+  EXPECT_EQ(deep.elements, 2 * shallow.elements);
+  EXPECT_EQ(deep.element_steps, shallow.element_steps) << "and costs nothing";
+  same_motion(deep, shallow);
+}
+
+TEST(March, ASoftThinLayerIsPassedThrough) {
+  Problem p = setting_s();
+  p.depth = 8;
+  const ImpactResult result = run_impact(p);
+  EXPECT_EQ(result.outcome, Outcome::passed_through);
+  EXPECT_GE(result.depth, 8);
+  EXPECT_GT(result.end_speed, 0);
+  EXPECT_LT(result.end_speed, 1);
+}
+
+TEST(March, AShortEndTimeComesFirst) {
+  Problem p = setting_s();
+  p.end_time = 1;
+  const ImpactResult result = run_impact(p);
+  EXPECT_EQ(result.outcome, Outcome::time_up);
+  EXPECT_NEAR(result.end_time, 1, 0.02);
+  EXPECT_GT(result.depth, 0.9);
+  EXPECT_LT(result.depth, 1.02);
+}
+
+TEST(March, AnImpactFasterThanTheWavesIsNotRun) {
+  Problem p = setting_s();
+  p.bulk_ratio = p.pi4 - 4.0 / 3 - 0.01;
+  EXPECT_GT(mach_number(p), 1);
+  const ImpactResult result = run_impact(p);
+  EXPECT_EQ(result.outcome, Outcome::supersonic);
+  EXPECT_EQ(result.steps, 0);
+  p.bulk_ratio = p.pi4 - 4.0 / 3 + 0.01;
+  p.end_time = 0.1;
+  EXPECT_EQ(run_impact(p).outcome, Outcome::time_up);
+  p.speed_factor = 1.01;
+  EXPECT_EQ(run_impact(p).outcome, Outcome::supersonic) << "the replicate's own speed counts";
+}
+
+// Beyond the stable step, with nothing that damps or erodes.
+TEST(March, AnElementThatTurnsInsideOutEndsTheRunAsUnstable) {
+  Problem p = dent();
+  p.alpha = 2;
+  p.hourglass = p.linear_viscosity = p.quadratic_viscosity = 0;
+  p.time_step_factor = 1.2;
+  const ImpactResult result = run_impact(p);
+  EXPECT_EQ(result.outcome, Outcome::unstable);
+  EXPECT_EQ(result.reason, "an element turned inside out");
+}
+
+// Contact five times as stiff as the default and no viscosity: near the stable step the scheme makes energy out of nothing.
+TEST(March, EnergyThatIsMadeIsNotPassedOffAsAResult) {
+  Problem p = dent();
+  p.elements_per_radius = 4;
+  p.alpha = 5;
+  p.pi4 = 2;
+  p.contact_stiffness = 3;
+  p.linear_viscosity = p.quadratic_viscosity = 0;
+  p.end_time = 1000;
+  int caught = 0;
+  for (const double factor : {0.6, 0.85, 0.9, 0.95, 1.0}) {
+    p.time_step_factor = factor;
+    const ImpactResult result = run_impact(p);
+    caught += result.reason == "energy was not conserved";
+    EXPECT_EQ(result.outcome == Outcome::unstable, !result.reason.empty()) << factor;
+    EXPECT_TRUE(result.outcome == Outcome::unstable || std::abs(result.energy.closure()) < 0.25) << factor;
+  }
+  EXPECT_GE(caught, 1);
+}
+
+TEST(March, AFixedBottomStopsWhatAFreeOneLetsThrough) {
+  Problem p = dent();
+  p.alpha = 8.5;
+  p.depth = 4;
+  p.end_time = 1000;
+  EXPECT_EQ(run_impact(p).outcome, Outcome::passed_through);
+  p.bottom = Bottom::fixed;
+  EXPECT_EQ(run_impact(p).outcome, Outcome::stopped);
+}
+
+TEST(March, ABottomFarBelowChangesNoBit) {
+  Problem p = dent();
+  const ImpactResult free = run_impact(p);
+  p.bottom = Bottom::fixed;
+  same_bits(run_impact(p), free);
+}
+
+TEST(March, WithoutErosionAllElementsStay) {
+  Problem p = dent();
+  p.alpha = 8.5;
+  p.end_time = 1000;
+  const ImpactResult result = run_impact(p);
+  EXPECT_EQ(result.outcome, Outcome::stopped);
+  EXPECT_EQ(result.eroded, 0);
+  EXPECT_EQ(result.energy.eroded, 0);
+  EXPECT_EQ(result.energy.freed_mass, 0);
+  EXPECT_EQ(result.energy.contact_dropped, 0);
+}
+
+TEST(March, AnErosionStrainOutOfReachChangesNoBit) {
+  Problem p = dent();
+  const ImpactResult without = run_impact(p);
+  p.erosion = StrainErosion{100};
+  same_bits(run_impact(p), without);
+}
+
+TEST(March, EachStrainMeasureAtTheSameStretchGivesTheSameBits) {
+  Problem p = setting_s(5);
+  p.erosion = StrainErosion{0.5, StrainMeasure::engineering};
+  const ImpactResult engineering = run_impact(p);
+  p.erosion = StrainErosion{std::log(1.5), StrainMeasure::true_strain};
+  same_bits(run_impact(p), engineering);
+  p.erosion = StrainErosion{(1.5 * 1.5 - 1) / 2, StrainMeasure::green_lagrange};
+  same_bits(run_impact(p), engineering);
+  p.erosion = StrainErosion{0.5, StrainMeasure::true_strain};
+  EXPECT_NE(run_impact(p).depth, engineering.depth);
+}
+
+TEST(March, StifferContactLetsNodesLessDeepIntoTheSphere) {
+  double last = 1e9;
+  for (const double kappa : {0.05, 0.156, 0.6, 2.4}) {
+    Problem p = dent();
+    p.contact_stiffness = kappa;
+    const double gap = run_impact(p).largest_gap;
+    EXPECT_LT(gap, 0.8 * last) << kappa;
+    EXPECT_GT(gap, 0);
+    last = gap;
+  }
+}
+
+// Springs tied to the step taken would be three times as stiff at three eighths of it, and ten times at ten times K.
+TEST(March, NeitherBulkModulusNorStepStiffensContact) {
+  Problem p = dent();
+  const double before = run_impact(p).largest_gap;
+  p.time_step_factor = 0.3;
+  EXPECT_NEAR(run_impact(p).largest_gap, before, 0.25 * before);
+  p.bulk_ratio = 500;
+  EXPECT_NEAR(run_impact(p).largest_gap, before, 0.25 * before);
+}
+
+TEST(March, TheDepthFallsWithTheModulus) {
+  Problem p = setting_s(4);
+  double last = 1e9;
+  for (const double stiffer : {1.0, 2.0, 4.0}) {
+    p.pi4 = 6.6474 / stiffer;
+    const ImpactResult result = run_impact(p);
+    ASSERT_EQ(result.outcome, Outcome::stopped);
+    EXPECT_LT(result.depth, 0.8 * last) << stiffer;
+    last = result.depth;
+  }
+}
+
+TEST(History, StartsAtTheImpactSpeedAndEndsAtTheDepth) {
+  Problem p = setting_s(5);
+  p.history = History{};
+  p.speed_factor = 1.001;
+  const ImpactResult result = run_impact(p);
+  ASSERT_GE(result.history.size(), 400u);
+  EXPECT_LE(result.history.size(), 801u);
+  EXPECT_EQ(result.history.front().time, 0);
+  EXPECT_EQ(result.history.front().tip, 0);
+  EXPECT_EQ(result.history.front().speed, 1.001);
+  EXPECT_EQ(result.history.front().force, 0);
+  EXPECT_NEAR(result.history.back().tip, result.depth, 1e-5);
+  EXPECT_EQ(result.history.back().time, result.end_time);
+  for (std::size_t k = 1; k < result.history.size(); ++k) EXPECT_GT(result.history[k].time, result.history[k - 1].time);
+}
+
+// The force is what slows the sphere: its mass is (2/3) rho_p/rho_t per radian.
+TEST(History, TheForcesImpulseIsTheSpeedLost) {
+  Problem p = dent();
+  p.history = History{.samples = 100000};
+  const ImpactResult result = run_impact(p);
+  double impulse = 0;
+  for (std::size_t k = 1; k < result.history.size(); ++k)
+    impulse += 0.5 * (result.history[k].force + result.history[k - 1].force) * (result.history[k].time - result.history[k - 1].time);
+  EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 1e-3 * impulse);
+}
+
+TEST(Outcome, HasAWordThatReadsBack) {
+  for (const Outcome outcome : {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::supersonic, Outcome::unstable})
+    EXPECT_EQ(outcome_from(word(outcome)), outcome);
+  EXPECT_EQ(word(Outcome::passed_through), "passed through");
+  EXPECT_THROW(outcome_from("fine"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace percal

@@ -1,0 +1,140 @@
+#include "percal/observe/penetration.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace percal {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr Scales micrometres{.radius = 1e-6, .speed = 600, .target_density = 1000};
+
+Evaluation ended(Outcome outcome, double depth) {
+  Evaluation run;
+  run.result.outcome = outcome;
+  run.result.depth = depth;
+  run.result.steps = 100;
+  run.result.energy.elastic = 1;
+  return run;
+}
+
+Penetration of(const std::vector<Evaluation>& runs) {
+  Problem problem;
+  problem.depth = 75;
+  return summarise(runs, problem, micrometres);
+}
+
+std::vector<std::string> told(const std::vector<Evaluation>& runs) {
+  Problem problem;
+  problem.elements_per_radius = 8;
+  return warnings(of(runs), runs, problem);
+}
+
+TEST(Penetration, IsTheMeanOfTheReplicatesWithTheirSampleDeviation) {
+  const Penetration p = of({ended(Outcome::stopped, 25), ended(Outcome::stopped, 26), ended(Outcome::stopped, 30)});
+  EXPECT_EQ(p.outcome, Outcome::stopped);
+  EXPECT_FALSE(p.mixed);
+  EXPECT_NEAR(*p.depth, 27e-6, 1e-18);
+  EXPECT_NEAR(*p.spread, std::sqrt((4 + 1 + 9) / 2.0) * 1e-6, 1e-18);
+  EXPECT_NEAR(*p.standard_error, *p.spread / std::sqrt(3), 1e-18);
+  EXPECT_FALSE(p.at_least);
+  EXPECT_EQ(p.depths.size(), 3u);
+}
+
+TEST(Penetration, OneRunHasADepthAndNoSpread) {
+  const Penetration p = of({ended(Outcome::stopped, 25)});
+  EXPECT_TRUE(p.depth);
+  EXPECT_FALSE(p.spread);
+  EXPECT_FALSE(p.standard_error);
+}
+
+TEST(Penetration, RunsThatPassedThroughGiveABoundAndNoDepth) {
+  const Penetration p = of({ended(Outcome::passed_through, 75.01), ended(Outcome::passed_through, 75.02)});
+  EXPECT_EQ(p.outcome, Outcome::passed_through);
+  EXPECT_FALSE(p.depth);
+  EXPECT_FALSE(p.spread);
+  EXPECT_DOUBLE_EQ(*p.at_least, 75e-6);
+}
+
+TEST(Penetration, OutcomesOfDifferentKindsAreNeverAveraged) {
+  for (const Outcome other : {Outcome::passed_through, Outcome::time_up, Outcome::unstable, Outcome::supersonic})
+    for (const bool first : {true, false}) {
+      const Evaluation stopped = ended(Outcome::stopped, 70), odd = ended(other, 75);
+      const Penetration p = first ? of({odd, stopped, stopped}) : of({stopped, stopped, odd});
+      EXPECT_TRUE(p.mixed);
+      EXPECT_EQ(p.outcome, other) << "the one that is not stopped";
+      EXPECT_FALSE(p.depth);
+      EXPECT_FALSE(p.spread);
+      EXPECT_EQ(p.at_least.has_value(), other == Outcome::passed_through);
+    }
+}
+
+TEST(Penetration, RunsThatWereStoppedByTheClockHaveNoDepth) {
+  const Penetration p = of({ended(Outcome::time_up, 10)});
+  EXPECT_FALSE(p.depth);
+  EXPECT_THAT(p.depths, ElementsAre(testing::DoubleEq(10e-6)));
+}
+
+TEST(Penetration, EnergySharesAreMeansAndTheWorstClosureIsKept) {
+  Evaluation one = ended(Outcome::stopped, 25), other = ended(Outcome::stopped, 26);
+  one.result.energy = {.elastic = 0.6, .viscosity = 0.38};
+  other.result.energy = {.elastic = 0.8, .viscosity = 0.21};
+  const Penetration p = of({one, other});
+  EXPECT_DOUBLE_EQ(p.energy.elastic, 0.7);
+  EXPECT_DOUBLE_EQ(p.energy.viscosity, 0.295);
+  EXPECT_NEAR(p.worst_closure, 0.02, 1e-15);
+}
+
+TEST(Penetration, ARunThatWasRefusedHasNoEnergyErrorToTellOf) {
+  Evaluation refused;
+  refused.result.outcome = Outcome::supersonic;
+  EXPECT_EQ(of({refused}).worst_closure, 0);
+}
+
+TEST(Warnings, SpringsAndViscosityAboveAQuarterOfTheEnergyAreTold) {
+  Evaluation run = ended(Outcome::stopped, 25);
+  run.result.energy = {.elastic = 0.76, .viscosity = 0.14, .contact_dropped = 0.10};
+  EXPECT_THAT(told(std::vector{run}), IsEmpty());
+  run.result.energy = {.elastic = 0.74, .viscosity = 0.14, .contact_dropped = 0.12};
+  const auto lines = told(std::vector{run});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_THAT(lines[0], HasSubstr("(12 %)"));
+  EXPECT_THAT(lines[0], HasSubstr("(14 %)"));
+  EXPECT_THAT(lines[0], HasSubstr("more than a quarter"));
+}
+
+TEST(Warnings, MixedOutcomesAreListedOneByOne) {
+  const std::vector<Evaluation> runs{ended(Outcome::stopped, 70), ended(Outcome::passed_through, 75)};
+  const auto lines = told(runs);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_THAT(lines[0], HasSubstr("(stopped, passed through)"));
+  EXPECT_THAT(lines[0], HasSubstr("not averaged"));
+}
+
+TEST(Warnings, NodesFarInsideTheSphereAreTold) {
+  Evaluation run = ended(Outcome::stopped, 25);
+  run.result.largest_gap = 1.9;  // elements of an eighth of a radius
+  EXPECT_THAT(told({run}), IsEmpty());
+  run.result.largest_gap = 4;
+  const auto lines = told({ended(Outcome::stopped, 25), run});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_THAT(lines[0], HasSubstr("0.5 radii inside the sphere"));
+}
+
+TEST(Warnings, UnstableRunsAndDistortedElementsAreNamed) {
+  Evaluation run = ended(Outcome::unstable, 3);
+  run.result.reason = "the time step collapsed";
+  run.result.distorted = 12;
+  const auto lines = told(std::vector{run});
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0], "unstable: the time step collapsed");
+  EXPECT_THAT(lines[1], HasSubstr("12 elements"));
+}
+
+}  // namespace
+}  // namespace percal

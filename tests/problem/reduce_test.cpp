@@ -1,0 +1,237 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "percal/impact/march.hpp"
+#include "percal/problem/problem.hpp"
+#include "percal/scene/scene_toml.hpp"
+
+namespace percal {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* skin = R"([particle]
+radius = "1 um"
+density = "16800 kg/m3"
+speed = "651 m/s"
+youngs_modulus = "79 GPa"
+[target]
+density = "1000 kg/m3"
+mu = "15 MPa"
+convention = "mu/alpha"
+alpha = 8.5
+depth = "75 um"
+width = "5 um"
+[target.erosion]
+strain = 0.7
+)";
+
+Scene skin_scene() { return parse_scene(skin, "skin.toml"); }
+
+std::string key(const Scene& scene) { return evaluation_key(reduce(scene).problem, "level"); }
+
+// The reason given for leaving `what` out; empty where it is not on the list.
+std::string why_left_out(const Reduction& reduction, const std::string& what) {
+  for (const auto& omission : reduction.left_out)
+    if (omission.what == what) return omission.why;
+  return "";
+}
+
+TEST(Reduce, GivesTheGroupsOfTheScene) {
+  const Reduction reduction = reduce(skin_scene());
+  EXPECT_NEAR(reduction.mu_true, 15e6 * 8.5 / 2, 1e-6);
+  EXPECT_NEAR(reduction.problem.pi4, 1000 * 651.0 * 651 / 63.75e6, 1e-11);
+  EXPECT_NEAR(reduction.problem.density_ratio, 16.8, 1e-11);
+  EXPECT_EQ(reduction.problem.depth, 75);
+  EXPECT_EQ(reduction.problem.width, 5);
+  EXPECT_EQ(reduction.scales.radius, 1e-6);
+  EXPECT_EQ(reduction.scales.speed, 651);
+  EXPECT_EQ(reduction.scales.target_density, 1000);
+  EXPECT_DOUBLE_EQ(reduction.problem.mu(), 1 / reduction.problem.pi4);
+}
+
+TEST(Reduce, TheSameSceneInOtherUnitsIsTheSameProblem) {
+  const Scene other = parse_scene(R"([particle]
+radius = "0.001 mm"
+density = "16.8 g/cm3"
+speed = "0.651 km/s"
+youngs_modulus = "79000 MPa"
+[target]
+density = "1 g/cm3"
+mu = "15000 kPa"
+convention = "mu/alpha"
+alpha = 8.5
+depth = "0.075 mm"
+width = "5000 nm"
+[target.erosion]
+strain = 0.7
+)", "other.toml");
+  EXPECT_EQ(key(other), key(skin_scene()));
+}
+
+TEST(Reduce, TheTrueModulusIsTheSameProblemAsLsDynasMu1) {
+  Scene other = skin_scene();
+  other.target.convention = ModulusConvention::true_shear;
+  other.target.mu_as_given = 63.75e6;
+  EXPECT_EQ(key(other), key(skin_scene()));
+}
+
+TEST(Reduce, GoldIntoSkinAndSteelIntoGelatinAreOneProblemToTheLastBit) {
+  const std::string folder = std::string(PERCAL_DATA) + "/guha2009/";
+  Scene gold = read_scene(folder + "gold.toml"), steel = read_scene(folder + "steel.toml");
+  EXPECT_EQ(key(gold), key(steel));
+  for (Scene* scene : {&gold, &steel}) {
+    scene->mesh.elements_per_radius = 5;
+    scene->solver.end_time = 6 * scene->particle.radius / scene->particle.speed;
+  }
+  const ImpactResult skin_run = run_impact(reduce(gold).problem), gelatin_run = run_impact(reduce(steel).problem);
+  EXPECT_GT(skin_run.depth, 5);
+  EXPECT_EQ(skin_run.depth, gelatin_run.depth);
+  EXPECT_EQ(skin_run.end_speed, gelatin_run.end_speed);
+  EXPECT_EQ(skin_run.energy.elastic, gelatin_run.energy.elastic);
+}
+
+TEST(Reduce, RoundsToTwelveDigits) {
+  EXPECT_EQ(round_to_12_digits(0.1 + 0.2), 0.3);
+  EXPECT_EQ(round_to_12_digits(1.234567890124e-7), 1.23456789012e-7);
+  EXPECT_EQ(round_to_12_digits(-98765432109876.0), -98765432109900.0);
+  EXPECT_EQ(round_to_12_digits(0), 0);
+  EXPECT_EQ(round_to_12_digits(round_to_12_digits(1.0 / 7)), round_to_12_digits(1.0 / 7));
+  EXPECT_NE(round_to_12_digits(1.00000000001), 1) << "the twelfth digit counts";
+}
+
+TEST(Reduce, ChoosesABulkModulusOfAtLeastFiftyMu) {
+  Scene slow = skin_scene();
+  slow.particle.speed = 100;
+  const Reduction reduction = reduce(slow);
+  EXPECT_EQ(reduction.problem.bulk_ratio, 50);
+  EXPECT_TRUE(reduction.bulk_was_chosen);
+  EXPECT_DOUBLE_EQ(reduction.bulk_modulus, 50 * 63.75e6);
+  EXPECT_LT(reduction.mach, 0.3);
+}
+
+TEST(Reduce, ChoosesABulkModulusForAMachNumberBelowThreeTenths) {
+  for (const double speed : {300.0, 651.0, 2000.0, 30000.0}) {
+    Scene fast = skin_scene();
+    fast.particle.speed = speed;
+    const Reduction reduction = reduce(fast);
+    EXPECT_LT(reduction.mach, 0.3) << speed;
+    EXPECT_GE(reduction.problem.bulk_ratio, 50) << speed;
+    if (reduction.problem.bulk_ratio > 50) {
+      EXPECT_GT(reduction.mach, 0.295) << "no stiffer, and so no dearer, than it must be";
+    }
+  }
+}
+
+TEST(Reduce, KeepsTheBulkModulusThatTheSceneGives) {
+  Scene scene = skin_scene();
+  scene.target.volumetric = PoissonRatio{0.49};
+  EXPECT_NEAR(reduce(scene).problem.bulk_ratio, 2 * 1.49 / (3 * 0.02), 1e-9);
+  EXPECT_FALSE(reduce(scene).bulk_was_chosen);
+  scene.target.volumetric = BulkToShear{2};
+  EXPECT_EQ(reduce(scene).problem.bulk_ratio, 2);
+  EXPECT_GT(reduce(scene).mach, 1) << "also where it makes the impact supersonic";
+}
+
+TEST(Reduce, TheMachNumberIsSpeedOverTheDilatationalWaveSpeed) {
+  Scene scene = skin_scene();
+  scene.target.volumetric = BulkToShear{50};
+  const Reduction reduction = reduce(scene);
+  const double wave_speed = std::sqrt((reduction.bulk_modulus + 4.0 / 3 * reduction.mu_true) / 1000);
+  EXPECT_NEAR(reduction.mach, 651 / wave_speed, 1e-11);
+}
+
+TEST(Reduce, ReplicatesStepOutwardsFromTheSpeedInTenthsOfAPercent) {
+  const double expected[] = {1, 1.001, 0.999, 1.002, 0.998, 1.003, 0.997};
+  for (int k = 0; k < 7; ++k) EXPECT_DOUBLE_EQ(replicate_speed_factor(k), expected[k]) << k;
+}
+
+TEST(Reduce, HalfTheFineColumnsAreGradedWhereTheSceneDoesNotSay) {
+  Scene scene = skin_scene();
+  for (const auto& [n, graded] : {std::pair{14, 7}, {7, 4}, {10, 5}, {1, 2}}) {
+    scene.mesh.elements_per_radius = n;
+    EXPECT_EQ(reduce(scene).problem.graded_columns, graded) << n;
+  }
+  scene.mesh.graded_columns = 23;
+  EXPECT_EQ(reduce(scene).problem.graded_columns, 23);
+}
+
+TEST(Reduce, TheEndTimeIsInRadiiAtImpactSpeed) {
+  Scene scene = skin_scene();
+  EXPECT_EQ(reduce(scene).problem.end_time, 1000);
+  scene.solver.end_time = 1e-6 / 651;
+  EXPECT_NEAR(reduce(scene).problem.end_time, 1, 1e-11);
+}
+
+TEST(LeftOut, AParticleWithoutAYoungsModulusIsRigid) {
+  Scene scene = skin_scene();
+  scene.particle.youngs_modulus.reset();
+  const Reduction reduction = reduce(scene);
+  EXPECT_THAT(why_left_out(reduction, "elastic particle"), HasSubstr("no Young's modulus"));
+  EXPECT_THAT(reduction.warnings, IsEmpty());
+}
+
+// (rho_t v^2 + 10 mu)/E = (1000 651^2 + 10 63.75e6)/E: 0.02 lies at E = 53.06 GPa.
+TEST(LeftOut, AStiffParticleIsRigidByTheRuleAndASofterOneWarns) {
+  Scene scene = skin_scene();
+  scene.particle.youngs_modulus = 53.2e9;
+  const Reduction stiff = reduce(scene);
+  EXPECT_THAT(why_left_out(stiff, "elastic particle"), HasSubstr("is below 0.02: rigid"));
+  EXPECT_THAT(stiff.warnings, IsEmpty());
+  scene.particle.youngs_modulus = 52.9e9;
+  const Reduction soft = reduce(scene);
+  EXPECT_THAT(why_left_out(soft, "elastic particle"), HasSubstr("only a rigid particle can be run"));
+  ASSERT_EQ(soft.warnings.size(), 1u);
+  EXPECT_THAT(soft.warnings[0], HasSubstr("the particle's elasticity, left out here, may matter"));
+}
+
+TEST(LeftOut, ErosionAndHistoryAreListedOnlyWhereTheyAreNotAskedFor) {
+  Scene scene = skin_scene();
+  EXPECT_THAT(why_left_out(reduce(scene), "erosion"), IsEmpty());
+  EXPECT_THAT(why_left_out(reduce(scene), "history"), HasSubstr("nobody asked"));
+  EXPECT_TRUE(std::holds_alternative<NoHistory>(reduce(scene).problem.history));
+  scene.target.erosion = NoErosion{};
+  scene.output.history = true;
+  EXPECT_THAT(why_left_out(reduce(scene), "erosion"), HasSubstr("no erosion strain"));
+  EXPECT_THAT(why_left_out(reduce(scene), "history"), IsEmpty());
+  EXPECT_TRUE(std::holds_alternative<History>(reduce(scene).problem.history));
+}
+
+TEST(EvaluationKey, EveryNumberThatDecidesTheResultChangesIt) {
+  const Problem problem = reduce(skin_scene()).problem;
+  const std::string before = evaluation_key(problem, "level");
+  for (double Problem::*number :
+       {&Problem::pi4, &Problem::density_ratio, &Problem::alpha, &Problem::bulk_ratio, &Problem::depth, &Problem::width, &Problem::fine_width,
+        &Problem::contact_stiffness, &Problem::hourglass, &Problem::linear_viscosity, &Problem::quadratic_viscosity,
+        &Problem::time_step_factor, &Problem::end_time, &Problem::speed_factor}) {
+    Problem other = problem;
+    other.*number *= 1 + 1e-9;
+    EXPECT_NE(evaluation_key(other, "level"), before);
+  }
+  const auto changes = [&](auto change) {
+    Problem other = problem;
+    change(other);
+    return evaluation_key(other, "level") != before;
+  };
+  EXPECT_TRUE(changes([](Problem& p) { ++p.elements_per_radius; }));
+  EXPECT_TRUE(changes([](Problem& p) { ++p.graded_columns; }));
+  EXPECT_TRUE(changes([](Problem& p) { p.bottom = Bottom::fixed; }));
+  EXPECT_TRUE(changes([](Problem& p) { p.erosion = NoErosion{}; }));
+  EXPECT_TRUE(changes([](Problem& p) { p.erosion = StrainErosion{0.71}; }));
+  EXPECT_TRUE(changes([](Problem& p) { p.erosion = StrainErosion{0.7, StrainMeasure::true_strain}; }));
+  EXPECT_TRUE(changes([](Problem& p) { p.arithmetic = Arithmetic::double_precision; }));
+  EXPECT_NE(evaluation_key(problem, "other level"), before);
+}
+
+TEST(EvaluationKey, AHistoryDoesNotChangeIt) {
+  Problem problem = reduce(skin_scene()).problem;
+  const std::string before = evaluation_key(problem, "level");
+  problem.history = History{};
+  EXPECT_EQ(evaluation_key(problem, "level"), before);
+}
+
+}  // namespace
+}  // namespace percal
