@@ -14,7 +14,8 @@ foreach(level ${PERCAL_LEVELS})
     string(REPLACE "x86_64" "x86-64" march ${march})
   endif()
   target_compile_options(percal_kernel_${level} PRIVATE ${PERCAL_KERNEL_FLAGS} ${march}
-    "$<$<STREQUAL:${level},x86_64_v4>:-mprefer-vector-width=512;-Wno-maybe-uninitialized>")
+    $<$<STREQUAL:${level},x86_64_v4>:-mprefer-vector-width=512>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_compile_definitions(percal_kernel_${level} PRIVATE PERCAL_LEVEL=${level})
   set_target_properties(percal_kernel_${level} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_sources(percal PRIVATE $<TARGET_OBJECTS:percal_kernel_${level}>)

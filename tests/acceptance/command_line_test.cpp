@@ -38,7 +38,8 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
   const std::string scene = acceptance::test_data + "layer.toml", job = acceptance::guha2009 + "skin.toml";
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
-      {{"identfy", job}, "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, identify, card"},
+      {{"identfy", job},
+       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, identify, card"},
       {{"identify"}, "job"},
       {{"identify", job, job}, "skin.toml"},
       {{"impact", scene, "--threads", "-1"}, "--threads"},
@@ -58,13 +59,15 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
     const Ended ended = run(arguments);
     EXPECT_EQ(ended.code, 2) << testing::PrintToString(arguments);
     EXPECT_THAT(ended.out, IsEmpty());
-    EXPECT_THAT(ended.err, AllOf(HasSubstr(word), Not(HasSubstr("internal error")))) << testing::PrintToString(arguments);
+    EXPECT_THAT(ended.err, AllOf(HasSubstr(word), Not(HasSubstr("internal error"))))
+        << testing::PrintToString(arguments);
   }
   EXPECT_THAT(files(), IsEmpty()) << "nothing was written";
 }
 
 TEST_F(CommandLine, ZeroThreadsMeansOneForEachCore) {
-  EXPECT_EQ(run({"impact", acceptance::test_data + "layer.toml", "--threads", "0", "--store", "store", "--quiet"}).code, 0);
+  EXPECT_EQ(run({"impact", acceptance::test_data + "layer.toml", "--threads", "0", "--store", "store", "--quiet"}).code,
+            0);
 }
 
 }  // namespace

@@ -57,12 +57,12 @@ class Disk : public LiverJob {
 };
 
 TEST_F(Disk, AFolderThatCannotBeIsRefusedBeforeAnythingIsComputed) {
-  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
-           {"identify", "liver.toml", "--out", "in_the_way/out"},
-           {"impact", "layer.toml", "--out", "in_the_way/out"},
-           {"impact", "layer.toml", "--out", "in_the_way"},
-           {"impact", "layer.toml", "--history", "in_the_way/history.csv"},
-           {"impact", "layer.toml", "--history", "."}}) {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"identify", "liver.toml", "--out", "in_the_way/out"},
+                                             {"impact", "layer.toml", "--out", "in_the_way/out"},
+                                             {"impact", "layer.toml", "--out", "in_the_way"},
+                                             {"impact", "layer.toml", "--history", "in_the_way/history.csv"},
+                                             {"impact", "layer.toml", "--history", "."}}) {
     auto words = command;
     words.insert(words.end(), {"--store", "store"});
     const Ended ended = run(words);
@@ -73,9 +73,11 @@ TEST_F(Disk, AFolderThatCannotBeIsRefusedBeforeAnythingIsComputed) {
 }
 
 TEST_F(Disk, AStoreThatIsNoStoreIsLeftAsItIs) {
-  write("store", "this is a letter to somebody, and long enough not to be taken for a file that has only just been begun\n");
+  write("store",
+        "this is a letter to somebody, and long enough not to be taken for a file that has only just been begun\n");
   const std::string before = read("store");
-  for (const std::vector<std::string>& command : {std::vector<std::string>{"identify", "liver.toml", "--out", "out"}, {"impact", "layer.toml"}}) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"identify", "liver.toml", "--out", "out"}, {"impact", "layer.toml"}}) {
     auto words = command;
     words.insert(words.end(), {"--store", "store"});
     const Ended ended = run(words);
@@ -127,7 +129,8 @@ TEST_F(Disk, AFullOneUnderTheStoreEndsTheRunAndARoomierOneGoesOn) {
   ASSERT_EQ(identify("out", "disk/store").code, 0);
   const json rest = result("out/result.json"), whole = result("whole/result.json");
   EXPECT_EQ(without_cost(rest), without_cost(whole));
-  EXPECT_EQ(rest["cost"]["runs"].get<long>() + kept, whole["cost"]["runs"].get<long>()) << "what was stored was not run again";
+  EXPECT_EQ(rest["cost"]["runs"].get<long>() + kept, whole["cost"]["runs"].get<long>())
+      << "what was stored was not run again";
 }
 
 TEST_F(Disk, AFileThatMayNotGrowIsAFailureAndNotTheEndOfTheProcess) {
@@ -137,7 +140,9 @@ TEST_F(Disk, AFileThatMayNotGrowIsAFailureAndNotTheEndOfTheProcess) {
       setrlimit(RLIMIT_FSIZE, &limit);
     };
   };
-  const std::string job = "[prototype]\nscene = \"layer.toml\"\n[model]\nradius = \"2 mm\"\nparticle_density = \"7800 kg/m3\"\nspeed = \"30 m/s\"\n";
+  const std::string job =
+      "[prototype]\nscene = \"layer.toml\"\n[model]\nradius = \"2 mm\"\nparticle_density = \"7800 kg/m3\"\nspeed = "
+      "\"30 m/s\"\n";
   write("scale.toml", job);
   const Ended scale = run({"scale", "scale.toml", "--quiet", "--out", "out"}, at_most(1000));
   expect_failure(scale, "result.json");
@@ -150,10 +155,13 @@ TEST_F(Disk, AFullStandardOutputIsAFailureToo) {
   const auto into_a_full_disk = [] {
     if (!freopen("/dev/full", "w", stdout)) _exit(126);
   };
-  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
-           {"identify", "liver.toml", "--store", "store"}, {"identify", "liver.toml", "--store", "store", "--json"},
-           {"impact", "layer.toml", "--store", "store"}, {"impact", "layer.toml", "--store", "store", "--json"},
-           {"impact", "layer.toml", "--check"}, {"scale", acceptance::guha2009 + "similar.toml", "--json"}}) {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"identify", "liver.toml", "--store", "store"},
+                                             {"identify", "liver.toml", "--store", "store", "--json"},
+                                             {"impact", "layer.toml", "--store", "store"},
+                                             {"impact", "layer.toml", "--store", "store", "--json"},
+                                             {"impact", "layer.toml", "--check"},
+                                             {"scale", acceptance::guha2009 + "similar.toml", "--json"}}) {
     const Ended ended = run(command, into_a_full_disk);
     expect_failure(ended, "standard output");
   }

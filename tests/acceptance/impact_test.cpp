@@ -37,11 +37,13 @@ TEST_F(Impact, ThatStopsGivesADepth) {
   EXPECT_THAT(ended.err, IsEmpty());
   const json found = json::parse(ended.out);
   EXPECT_EQ(found["outcome"], "stopped");
-  for (const char* key : {"depth_m", "depth_spread_m", "steps", "elements", "wall_s", "cpu_s"}) EXPECT_GT(found[key], 0.0) << key;
+  for (const char* key : {"depth_m", "depth_spread_m", "steps", "elements", "wall_s", "cpu_s"})
+    EXPECT_GT(found[key], 0.0) << key;
   EXPECT_LT(found["depth_m"], 600e-6);
   EXPECT_TRUE(found["depth_at_least_m"].is_null());
   EXPECT_THAT(found["isa"].get<std::string>(), testing::Not(IsEmpty()));
-  for (const char* term : {"particle", "live_kinetic", "freed_mass", "elastic", "hourglass", "viscosity", "eroded", "contact", "contact_dropped", "sum"})
+  for (const char* term : {"particle", "live_kinetic", "freed_mass", "elastic", "hourglass", "viscosity", "eroded",
+                           "contact", "contact_dropped", "sum"})
     EXPECT_TRUE(found["energy"].contains(term)) << term;
   EXPECT_NEAR(found["energy"]["sum"], 1, 0.05);
   ASSERT_GT(found["left_out"].size(), 0u);
@@ -82,7 +84,8 @@ TEST_F(Impact, FasterThanTheWavesIsRefusedWithItsMachNumberAndARemedy) {
   EXPECT_TRUE(found["depth_m"].is_null());
   // v/sqrt((K + 4 mu/3)/rho), K/mu = 2 (1 + nu)/(3 (1 - 2 nu))
   EXPECT_NEAR(found["mach"], 600 / std::sqrt(12e6 * (2.9 / 0.3 + 4.0 / 3) / 1060), 1e-9);
-  EXPECT_THAT(impact({fast}).out, AllOf(HasSubstr("Mach number 1.7"), HasSubstr("bulk_to_shear"), HasSubstr("a speed of")));
+  EXPECT_THAT(impact({fast}).out,
+              AllOf(HasSubstr("Mach number 1.7"), HasSubstr("bulk_to_shear"), HasSubstr("a speed of")));
 }
 
 TEST_F(Impact, OfASimilarSystemIsNotRunAgain) {
@@ -149,7 +152,8 @@ TEST_F(Impact, ResultsDoNotDependOnTheNumberOfThreads) {
   scene();
   std::vector<json> found;
   for (const char* threads : {"1", "3"}) {
-    const Ended ended = run({"impact", "layer.toml", "--json", "--threads", threads, "--store", path(std::string("store") + threads)});
+    const Ended ended =
+        run({"impact", "layer.toml", "--json", "--threads", threads, "--store", path(std::string("store") + threads)});
     found.push_back(json::parse(ended.out));
     for (const char* cost : {"wall_s", "cpu_s"}) found.back().erase(cost);
     for (json& one : found.back()["runs"]) one.erase("cpu_s");

@@ -26,7 +26,10 @@ namespace fs = std::filesystem;
 class Interrupted : public LiverJob {
  protected:
   // Long enough to be met in the middle: a second or two.
-  Interrupted() { job({{"0.8]\nstart = \"5 MPa\"\nelements_per_radius = 4", "0.8]\nstart = \"5 MPa\"\nelements_per_radius = 6"}, {"[3, 4, 5]", "[5, 6, 8]"}}); }
+  Interrupted() {
+    job({{"0.8]\nstart = \"5 MPa\"\nelements_per_radius = 4", "0.8]\nstart = \"5 MPa\"\nelements_per_radius = 6"},
+         {"[3, 4, 5]", "[5, 6, 8]"}});
+  }
 
   std::vector<std::string> command(const std::string& name) const {
     return {"identify", "liver.toml", "--store", name + ".store", "--out", name, "--quiet"};
@@ -41,7 +44,8 @@ class Interrupted : public LiverJob {
   }
   // Waits until the store has a row more than `before`, so that a signal comes in the middle of the work.
   void wait_for_a_row(const std::string& name, long before) const {
-    while (!fs::exists(path(name + ".store")) || rows(name) <= before) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (int k = 0; k < 30000 && (!fs::exists(path(name + ".store")) || rows(name) <= before); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   static void expect_no_temporary_file(const std::set<std::string>& names) {
     for (const auto& name : names) EXPECT_THAT(name, Not(HasSubstr(".tmp")));
@@ -67,14 +71,16 @@ TEST_F(Interrupted, ByKillAtAnyMomentItGoesOnWhereItWas) {
       const long now = fs::exists(path(name + ".store")) ? rows(name) : 0;
       EXPECT_GE(now, stored) << "a finished evaluation was lost";
       stored = now;
-      EXPECT_FALSE(fs::exists(path(name + "/result.json"))) << "a result before the end";
+      if (!fs::exists(path(name + "/result.json"))) continue;
+      EXPECT_EQ(now, whole["cost"]["runs"].get<long>()) << "a result before everything was run";
     }
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_GT(kills, 2);
+    EXPECT_GT(kills, 1);
     const json found = result(name + "/result.json");
     EXPECT_EQ(without_cost(found).dump(), without_cost(whole).dump());
     EXPECT_EQ(rows(name), whole["cost"]["runs"].get<long>());
-    EXPECT_EQ(stored + found["cost"]["runs"].get<long>(), whole["cost"]["runs"].get<long>()) << "something finished was run again";
+    EXPECT_EQ(stored + found["cost"]["runs"].get<long>(), whole["cost"]["runs"].get<long>())
+        << "something finished was run again";
   }
 }
 

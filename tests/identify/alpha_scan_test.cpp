@@ -13,11 +13,15 @@ namespace {
 constexpr double slope = -0.08;  // of ln depth against alpha: about what an impact has
 
 // Pairs whose ln depth meets the target at `alpha` plus their own offsets.
-std::vector<AlphaTrial> trials_of(double alpha, const std::vector<double>& offsets, const std::vector<double>& candidates) {
+std::vector<AlphaTrial> trials_of(double alpha, const std::vector<double>& offsets,
+                                  const std::vector<double>& candidates) {
   std::vector<AlphaTrial> trials;
   for (const double candidate : candidates)
     for (std::size_t pair = 0; pair < offsets.size(); ++pair)
-      trials.push_back({.alpha = candidate, .pair = static_cast<int>(pair), .log_misfit = slope * (candidate - alpha) + offsets[pair], .usable = true});
+      trials.push_back({.alpha = candidate,
+                        .pair = static_cast<int>(pair),
+                        .log_misfit = slope * (candidate - alpha) + offsets[pair],
+                        .usable = true});
   return trials;
 }
 
@@ -52,7 +56,8 @@ TEST(ChooseAlpha, TakesTheMildestAlphaWithinOneStandardErrorOfTheBest) {
   for (int k = 0; k <= 24; ++k)
     if (score(8 + 0.05 * k) < score(best)) best = 8 + 0.05 * k;
   double squares = 0;
-  for (const double offset : offsets) squares += std::pow(std::abs(std::exp(slope * (best - 8.6) + offset) - 1) - score(best), 2);
+  for (const double offset : offsets)
+    squares += std::pow(std::abs(std::exp(slope * (best - 8.6) + offset) - 1) - score(best), 2);
   const double error = std::sqrt(squares / 3 / 4);
   double mildest = best;
   for (int k = 24; k >= 0; --k)

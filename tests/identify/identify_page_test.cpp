@@ -62,9 +62,12 @@ TEST_F(IdentifyPage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
   collect(text_of(acceptance::guha2009 + "skin.toml"), keys);
   collect(text_of(acceptance::test_data + "liver/liver.toml"), keys);
   // Neither job has cases by diameter or with densities in a column: the keys of [[predictions]].
-  for (const char* key : {"particle_column", "particle_density_column", "diameter_column"}) keys["[scaled_line.cases]"].insert(key);
+  for (const char* key : {"particle_column", "particle_density_column", "diameter_column"})
+    keys["[scaled_line.cases]"].insert(key);
   // Read only where they are there.
-  for (const char* block : {"[gelatin.formulations]", "[alpha.target]", "[[predictions]]", "[[trends]]", "[scaled_line.shots]", "[scaled_line.cases]"}) keys[block].insert("where");
+  for (const char* block : {"[gelatin.formulations]", "[alpha.target]", "[[predictions]]", "[[trends]]",
+                            "[scaled_line.shots]", "[scaled_line.cases]"})
+    keys[block].insert("where");
   keys["[card]"].insert("comments");
   EXPECT_EQ(keys, described());
 }
@@ -87,7 +90,9 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
 
 TEST_F(IdentifyPage, NamesEveryKeyOfAResult) {
   write("pairs.csv", "mu_MPa,strain\n17.5,0.3\n11.7,0.6\n5.65,0.8\n");
-  job({{"value = 5", "scan = [4, 6]\nelements_per_radius = 3\nreplicates = 2\n[alpha.target]\nfile = \"pairs.csv\"\nmu = \"mu\"\nerosion_strain = \"strain\""}});
+  job({{"value = 5",
+        "scan = [4, 6]\nelements_per_radius = 3\nreplicates = 2\n[alpha.target]\nfile = \"pairs.csv\"\nmu = "
+        "\"mu\"\nerosion_strain = \"strain\""}});
   run({"identify", "liver.toml", "--store", "store", "--out", "out", "--quiet"});
   std::set<std::string> keys;
   collect_keys(result("out/result.json"), keys);

@@ -47,8 +47,10 @@ TEST(StrainAt, ServesARidgeThatRises) {
 }
 
 TEST(StrainAt, CarriesTheLargerErrorOfTheTwoPointsOverTheSlope) {
-  const std::vector<RidgePoint> ridge{point(0.4, 40e6, 0.03, 0.04), point(0.6, 20e6, 0.06, 0.08), point(0.8, 10e6, 0.5, 0.5)};
-  EXPECT_NEAR(strain_at(ridge, 30e6)->error, 0.2 / std::log(2) * 0.1, 1e-12) << "d strain/d ln mu times hypot(0.06, 0.08)";
+  const std::vector<RidgePoint> ridge{point(0.4, 40e6, 0.03, 0.04), point(0.6, 20e6, 0.06, 0.08),
+                                      point(0.8, 10e6, 0.5, 0.5)};
+  EXPECT_NEAR(strain_at(ridge, 30e6)->error, 0.2 / std::log(2) * 0.1, 1e-12)
+      << "d strain/d ln mu times hypot(0.06, 0.08)";
 }
 
 }  // namespace

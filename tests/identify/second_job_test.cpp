@@ -22,7 +22,8 @@ class SecondJob : public LiverJob {
  protected:
   // The result of `percal identify` with a store and a folder of this name.
   json identify(const std::string& name, const std::string& threads = "2", const std::string& store = "") const {
-    const Ended ended = run({"identify", "liver.toml", "--store", path((store.empty() ? name : store) + ".store"), "--out", path(name), "--quiet", "--threads", threads});
+    const Ended ended = run({"identify", "liver.toml", "--store", path((store.empty() ? name : store) + ".store"),
+                             "--out", path(name), "--quiet", "--threads", threads});
     EXPECT_EQ(ended.code, 0) << ended.err;
     EXPECT_THAT(ended.out, IsEmpty());
     EXPECT_THAT(ended.err, IsEmpty());
@@ -33,8 +34,9 @@ class SecondJob : public LiverJob {
 TEST_F(SecondJob, EndsWithEveryKeyOfAResult) {
   job();
   const json found = identify("out");
-  for (const char* key : {"schema", "percal", "command", "input", "title", "complete", "gelatin_law", "alpha", "ridge", "similarity", "skin",
-                          "model_check", "predictions", "prediction_means", "card", "steps", "tables", "findings", "cost"})
+  for (const char* key :
+       {"schema", "percal", "command", "input", "title", "complete", "gelatin_law", "alpha", "ridge", "similarity",
+        "skin", "model_check", "predictions", "prediction_means", "card", "steps", "tables", "findings", "cost"})
     EXPECT_TRUE(found.contains(key)) << key;
   EXPECT_EQ(found["complete"], true);
   EXPECT_EQ(found["alpha"], (json{{"value", 5.0}, {"from", "given"}}));
@@ -51,7 +53,8 @@ TEST_F(SecondJob, EndsWithEveryKeyOfAResult) {
     EXPECT_LT(point["mu_true_Pa"], softer_than) << "a tougher material that lets the ball as deep is softer";
     softer_than = point["mu_true_Pa"];
   }
-  for (const char* key : {"mu_highrate_as_given_Pa", "mu_highrate_true_Pa", "youngs_quasistatic_as_given_Pa", "youngs_quasistatic_true_Pa", "erosion_strain"})
+  for (const char* key : {"mu_highrate_as_given_Pa", "mu_highrate_true_Pa", "youngs_quasistatic_as_given_Pa",
+                          "youngs_quasistatic_true_Pa", "erosion_strain"})
     EXPECT_GT(found["skin"][key], 0.0) << key;
   EXPECT_EQ(found["skin"]["strain_measure"], "true");
   EXPECT_EQ(found["skin"]["convention"], "true");
@@ -59,14 +62,17 @@ TEST_F(SecondJob, EndsWithEveryKeyOfAResult) {
   EXPECT_GT(found["model_check"]["expected_m"], 0.0);
   ASSERT_EQ(found["predictions"].size(), 4u) << "two shots into agar, one into liver at two densities";
   for (const json& shot : found["predictions"]) {
-    for (const char* key : {"radius_m", "speed_m_s", "depth_m", "depth_spread_m", "measured_m"}) EXPECT_GT(shot[key], 0.0) << key;
+    for (const char* key : {"radius_m", "speed_m_s", "depth_m", "depth_spread_m", "measured_m"})
+      EXPECT_GT(shot[key], 0.0) << key;
     EXPECT_TRUE(shot.contains("thesis_fe_m") && shot.contains("system"));
   }
   EXPECT_NEAR(found["predictions"][2]["thesis_fe_m"], 225e-6, 1e-18);
   for (const json& table : found["tables"])
-    for (const char* key : {"name", "note", "reference", "mean_difference", "rows"}) EXPECT_TRUE(table.contains(key)) << key;
+    for (const char* key : {"name", "note", "reference", "mean_difference", "rows"})
+      EXPECT_TRUE(table.contains(key)) << key;
   for (const char* key : {"runs", "reused", "wall_s", "cpu_s"}) EXPECT_TRUE(found["cost"].contains(key)) << key;
-  EXPECT_EQ(found["cost"]["reused"], 6) << "the model check, the mesh study's middle and the calibration again are one dimensionless problem";
+  EXPECT_EQ(found["cost"]["reused"], 6)
+      << "the model check, the mesh study's middle and the calibration again are one dimensionless problem";
   EXPECT_EQ(found["input"]["toml"], read("liver.toml"));
 }
 
@@ -82,8 +88,10 @@ TEST_F(SecondJob, SimilarityHoldsExactly) {
   expect(found["model_check"]["expected_m"], similar["penetration_m"]);
   EXPECT_EQ(similar["formulation"], 2.0);
   expect(similar["formulation_mismatch"].get<double>() + 1, 28e-3 / similar["penetration_m"].get<double>());
-  expect(liver["mu_highrate_as_given_Pa"], similar["mu_as_given_Pa"].get<double>() / similar["modulus_ratio"].get<double>());
-  expect(similar["mu_as_given_Pa"], 10 * found["gelatin_law"]["k_Pa"].get<double>() * std::pow(2, found["gelatin_law"]["n"].get<double>()));
+  expect(liver["mu_highrate_as_given_Pa"],
+         similar["mu_as_given_Pa"].get<double>() / similar["modulus_ratio"].get<double>());
+  expect(similar["mu_as_given_Pa"],
+         10 * found["gelatin_law"]["k_Pa"].get<double>() * std::pow(2, found["gelatin_law"]["n"].get<double>()));
   expect(liver["youngs_quasistatic_true_Pa"], 3 * liver["mu_highrate_true_Pa"].get<double>() / 25);
   EXPECT_NEAR(found["gelatin_law"]["n"], 2, 0.05) << "the table was made with n = 2, rounded";
 }
@@ -95,8 +103,10 @@ TEST_F(SecondJob, TheIdentifiedPairGivesTheDepthThatItCameFrom) {
   EXPECT_GT(strain, 0.3);
   EXPECT_LT(strain, 1.0);
   const json& again = found["predictions"][2];
-  EXPECT_NEAR(again["depth_m"].get<double>() / 230e-6, 1, 0.06) << "the calibration shot at the pair on the ridge, on the ridge's mesh: solver noise";
-  EXPECT_NEAR(found["model_check"]["depth_m"].get<double>() / found["model_check"]["expected_m"].get<double>(), 1, 0.06) << "its similar system";
+  EXPECT_NEAR(again["depth_m"].get<double>() / 230e-6, 1, 0.06)
+      << "the calibration shot at the pair on the ridge, on the ridge's mesh: solver noise";
+  EXPECT_NEAR(found["model_check"]["depth_m"].get<double>() / found["model_check"]["expected_m"].get<double>(), 1, 0.06)
+      << "its similar system";
 }
 
 TEST_F(SecondJob, TheCardHoldsWhatWasFound) {
@@ -134,12 +144,15 @@ TEST_F(SecondJob, TheConventionOfTheModuliOnlyScalesThem) {
   job();
   const json as_true = identify("true");
   // mu/alpha at alpha = 5 means 2.5 times as much, so that 2.5 times less is the same gel.
-  job({{"modulus = \"true\"", "modulus = \"mu/alpha\""}, {"rate_factor = 10", "rate_factor = 4"}, {"\"5 MPa\"", "\"2 MPa\""}});
+  job({{"modulus = \"true\"", "modulus = \"mu/alpha\""},
+       {"rate_factor = 10", "rate_factor = 4"},
+       {"\"5 MPa\"", "\"2 MPa\""}});
   const json given = identify("given", "2", "true");
   EXPECT_LT(given["cost"]["runs"], 3) << "all but roundings of the modulus are the same impacts";
   const auto ratio = [](const json& a, const json& b) { return a.get<double>() / b.get<double>(); };
   EXPECT_NEAR(ratio(given["skin"]["mu_highrate_true_Pa"], given["skin"]["mu_highrate_as_given_Pa"]), 2.5, 1e-12);
-  EXPECT_NEAR(ratio(given["skin"]["youngs_quasistatic_true_Pa"], given["skin"]["youngs_quasistatic_as_given_Pa"]), 2.5, 1e-12);
+  EXPECT_NEAR(ratio(given["skin"]["youngs_quasistatic_true_Pa"], given["skin"]["youngs_quasistatic_as_given_Pa"]), 2.5,
+              1e-12);
   EXPECT_NEAR(ratio(given["skin"]["mu_highrate_true_Pa"], as_true["skin"]["mu_highrate_true_Pa"]), 1, 1e-12);
   EXPECT_NEAR(ratio(given["skin"]["erosion_strain"], as_true["skin"]["erosion_strain"]), 1, 1e-6);
   for (int k = 0; k < 3; ++k) {
@@ -150,7 +163,10 @@ TEST_F(SecondJob, TheConventionOfTheModuliOnlyScalesThem) {
 
 TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
   write("pairs.csv", "mu_MPa,strain,model_kPa\n11.2,0.45,297\n11.7,0.6,310\n5.65,0.8,150\n");
-  job({{"[0.3, 0.6, 0.8]", "[0.45, 0.6, 0.8]"}, {"value = 5", "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = \"mu\"\nerosion_strain = \"strain\"\nmu_model = \"model\""}});
+  job({{"[0.3, 0.6, 0.8]", "[0.45, 0.6, 0.8]"},
+       {"value = 5",
+        "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = "
+        "\"mu\"\nerosion_strain = \"strain\"\nmu_model = \"model\""}});
   const json found = identify("out");
   EXPECT_EQ(found["alpha"]["from"], "scan");
   EXPECT_EQ(found["alpha"]["ridge_is_in_sample"], true);
@@ -162,7 +178,8 @@ TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
   }
   EXPECT_THAT(found["findings"].dump(), HasSubstr("in-sample"));
   EXPECT_EQ(found["tables"][0]["name"], "pairs, identified modulus");
-  for (const json& row : found["tables"][1]["rows"]) EXPECT_NEAR(row["difference"], 0, 4e-3) << "rounded to 1 kPa in 150";
+  for (const json& row : found["tables"][1]["rows"])
+    EXPECT_NEAR(row["difference"], 0, 4e-3) << "rounded to 1 kPa in 150";
 }
 
 TEST_F(SecondJob, ARidgeThatDoesNotReachTheModulusEndsWithExitCodeThree) {
@@ -196,7 +213,8 @@ TEST_F(SecondJob, WithoutAFolderGivenItWritesBesideTheJob) {
   const Ended ended = run({"identify", "place/liver.toml", "--json"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.err, IsEmpty());
-  EXPECT_EQ(json::parse(ended.out), result("place/liver.out/result.json")) << "standard output holds the result and nothing else";
+  EXPECT_EQ(json::parse(ended.out), result("place/liver.out/result.json"))
+      << "standard output holds the result and nothing else";
   EXPECT_TRUE(fs::exists(path("cache/percal/percal.store"))) << "the store's own place";
 }
 
@@ -212,7 +230,8 @@ TEST_F(SecondJob, TheTerminalShowsEveryStepAsATable) {
     EXPECT_NE(next, std::string::npos) << step["name"];
     at = next;
   }
-  for (const char* word : {"difference", "error", "percal", "runs", "from the store"}) EXPECT_THAT(ended.out, HasSubstr(word));
+  for (const char* word : {"difference", "error", "percal", "runs", "from the store"})
+    EXPECT_THAT(ended.out, HasSubstr(word));
 }
 
 TEST_F(SecondJob, ACheckRunsAndWritesNothing) {

@@ -68,8 +68,11 @@ TEST(Energy, TheErrorFallsAsTheSquareWithoutViscosityToo) {
   EXPECT_EQ(run_impact(p).energy.viscosity, 0);
 }
 
+// Without the half-step corrections of elements and of springs the error falls as the step at best. The springs are softer than the
+// default here: they then hold enough at erosion to show it.
 TEST(Energy, ErosionTakesNothingUnseen) {
   Problem p = setting_s();
+  p.contact_stiffness = 0.156;
   p.arithmetic = Arithmetic::double_precision;
   p.end_time = 5;
   p.depth = 40;
@@ -77,7 +80,7 @@ TEST(Energy, ErosionTakesNothingUnseen) {
   EXPECT_LT(coarse, 1e-3);
   EXPECT_LT(middle, coarse);
   EXPECT_LT(fine, middle);
-  EXPECT_GT(slope(0.8, coarse, 0.2, fine), 1.5) << "without the half-step correction it is 1";
+  EXPECT_NEAR(slope(0.8, coarse, 0.2, fine), 2, 0.25);
 }
 
 TEST(Energy, SettingSClosesToTwoPercentAndStopsWhereItShould) {

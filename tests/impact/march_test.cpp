@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "impact/setting_s.hpp"
+#include "percal/impact/recorder.hpp"
 
 namespace percal {
 namespace {
@@ -151,6 +152,25 @@ TEST(March, AnErosionStrainOutOfReachChangesNoBit) {
   same_bits(run_impact(p), without);
 }
 
+// At alpha -6 elements ahead of the sphere are squeezed flat long before they are stretched a hundredfold.
+TEST(March, ElementsTakenOutForTheirDistortionAreCountedApart) {
+  Problem p = setting_s(5);
+  p.alpha = -6;
+  p.pi4 = 20;
+  p.end_time = 20;
+  p.erosion = StrainErosion{100};
+  const ImpactResult result = run_impact(p);
+  EXPECT_GT(result.distorted, 0);
+  EXPECT_EQ(result.distorted, result.eroded) << "none was stretched so far";
+  for (const Arithmetic arithmetic : {Arithmetic::single_precision, Arithmetic::double_precision}) {
+    Problem eroding = setting_s(5);
+    eroding.arithmetic = arithmetic;
+    const ImpactResult by_strain = run_impact(eroding);
+    EXPECT_GT(by_strain.eroded, 100);
+    EXPECT_EQ(by_strain.distorted, 0);
+  }
+}
+
 TEST(March, EachStrainMeasureAtTheSameStretchGivesTheSameBits) {
   Problem p = setting_s(5);
   p.erosion = StrainErosion{0.5, StrainMeasure::engineering};
@@ -211,6 +231,19 @@ TEST(History, StartsAtTheImpactSpeedAndEndsAtTheDepth) {
   EXPECT_NEAR(result.history.back().tip, result.depth, 1e-5);
   EXPECT_EQ(result.history.back().time, result.end_time);
   for (std::size_t k = 1; k < result.history.size(); ++k) EXPECT_GT(result.history[k].time, result.history[k - 1].time);
+}
+
+TEST(History, KeepsEvenlySpacedPointsHoweverLongTheRun) {
+  for (const int steps : {50, 399, 1000, 123456}) {
+    Recorder<History> recorder(History{.samples = 100});
+    for (int step = 0; step < steps; ++step) recorder.record({.time = static_cast<double>(step), .tip = 0, .speed = 0, .force = 0});
+    const auto points = recorder.take();
+    EXPECT_GE(points.size(), static_cast<std::size_t>(std::min(steps, 100)));
+    EXPECT_LE(points.size(), 200u);
+    const double stride = points[1].time;
+    for (std::size_t k = 0; k < points.size(); ++k) EXPECT_EQ(points[k].time, k * stride) << steps << " steps";
+    EXPECT_GT(points.back().time + stride, steps - 1);
+  }
 }
 
 // The force is what slows the sphere: its mass is (2/3) rho_p/rho_t per radian.

@@ -28,14 +28,15 @@ TEST(Momentum, WhatTheSphereLosesTheBlockGains) {
 // The rows left at rest move by less than rest_speed = 1e-6 of the impact speed.
 TEST(March, RowsAtRestAndTheContactSearchLeaveNothingOutThatMatters) {
   Problem p = unbounded();
-  p.alpha = 8.5;
+  p.fine_width = 1;
+  p.end_time = 3;  // by then the sphere is in the block up to its top
   PlainMarch plain(p);
   plain.run();
   const ImpactResult real = run_impact(p);
   EXPECT_EQ(real.outcome, Outcome::time_up);
-  EXPECT_NEAR(real.end_speed, plain.sphere().speed, 1e-8);
-  EXPECT_NEAR(real.depth, plain.sphere().tip, 1e-8);
-  EXPECT_LT(real.element_steps, 0.7 * static_cast<double>(real.elements * real.steps)) << "a third of the work and more is left out";
+  EXPECT_NEAR(real.end_speed, plain.sphere().speed, 1e-6);
+  EXPECT_NEAR(real.depth, plain.sphere().tip, 1e-6);
+  EXPECT_LT(real.element_steps, 0.7 * static_cast<double>(real.elements * real.steps)) << "a good part of the work is left out";
 }
 
 }  // namespace

@@ -103,6 +103,21 @@ TEST(Reduce, RoundsToTwelveDigits) {
   EXPECT_NE(round_to_12_digits(1.00000000001), 1) << "the twelfth digit counts";
 }
 
+TEST(Reduce, EveryNumberOfTheProblemHasTwelveDigits) {
+  Scene scene = skin_scene();
+  scene.particle.radius = 0.7e-6;
+  scene.particle.density = 16811;
+  scene.particle.speed = 613.7;
+  scene.target.density = 1063;
+  scene.solver.end_time = 1e-7 / 3;
+  scene.target.volumetric = PoissonRatio{0.4837};
+  scene.target.alpha = 25.0 / 3;
+  scene.mesh.fine_width = 4.0 / 3;
+  const Problem p = reduce(scene).problem;
+  for (const double number : {p.pi4, p.density_ratio, p.alpha, p.bulk_ratio, p.depth, p.width, p.fine_width, p.end_time})
+    EXPECT_EQ(number, round_to_12_digits(number));
+}
+
 TEST(Reduce, ChoosesABulkModulusOfAtLeastFiftyMu) {
   Scene slow = skin_scene();
   slow.particle.speed = 100;

@@ -291,6 +291,8 @@ IdentifyJob read_identify_job(const std::string& path) {
   if (const auto solver = root.optional_table("solver")) {
     job.volumetric = volumetric_from(*solver);
     job.solver = solver_from(*solver);
+    if (job.solver.end_time)
+      solver->refuse("end_time", "a time for all spheres, small and large", "no end_time in a job: runs end when the sphere stops");
   }
   job.alpha = read_alpha(root.table("alpha"), job.convention);
   const TomlTable ridge = root.table("ridge");

@@ -1,5 +1,6 @@
 #include "percal/impact/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "percal/impact/element.hpp"
@@ -42,6 +43,7 @@ ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& 
   const double stiffness = material.hourglass * mu / 12 * (height / width + width / height) * radius;
   ElementEnergy energy;
   energy.elastic = volume * density;
+  energy.largest_stretch = std::sqrt(std::max(s.first2, F.hoop * F.hoop));
   energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
   if (last_step > 0) {
     const auto P = scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * mu / alpha), material.bulk / 2 * (J * J - 1));

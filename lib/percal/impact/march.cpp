@@ -97,6 +97,7 @@ class March {
     const auto energy = element_energy(block_, material_, column, row, last_step_);
     eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
     ++result_.eroded;
+    if (energy.largest_stretch < (1 - rounding_of_stretch) * material_.erosion_stretch) ++result_.distorted;
     block_.take_out(column, row, [this](int i, int j) { drop_contact(i, j); });
   }
 

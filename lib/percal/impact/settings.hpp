@@ -8,6 +8,7 @@ inline constexpr double reference_bulk_ratio = 50;     // dt_ref, which contact 
 inline constexpr double distorted_jacobian = 0.05;     // an eroding scene takes out an element compressed below it
 inline constexpr double inverted_jacobian = 1e-3;      // below it an element counts as turned inside out
 inline constexpr double distorted_step = 0.016;        // an eroding scene takes out an element whose step falls below this share of the first
+inline constexpr double rounding_of_stretch = 1e-4;    // the kernel's stretch, in single precision, against the ledger's in double
 inline constexpr double collapsed_step = 1e-5;         // a run whose step falls below this share of the first is unstable
 inline constexpr double rest_speed = 1e-6;             // rows whose nodes are all slower (over impact speed) are at rest
 inline constexpr int front_rows = 32;                  // rows are set in motion in groups of this many

@@ -30,8 +30,8 @@ void require_points(std::span<const double> x, std::span<const double> y, std::s
   require_positive(x, "x");
   require_positive(y, "y");
   std::vector<double> different(x.begin(), x.end());
-  std::ranges::sort(different);
-  auto [end, last] = std::ranges::unique(different);
+  std::sort(different.begin(), different.end());
+  const auto end = std::unique(different.begin(), different.end());
   auto count = static_cast<std::size_t>(end - different.begin());
   if (count < parameters)
     throw BadInput("power law: found " + std::to_string(count) +
