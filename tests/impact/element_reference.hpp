@@ -99,7 +99,7 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
         forces.z[n] -= volume * (P.zr * nr + P.zz * nz) + stiffness * hourglass_mode[a] * mode_z;
       }
       forces.viscous_work += volume * 0.5 * (view.viscous_pressure[block.at(i, j)] + q) * (old - J);
-      const auto bound = scalar::step_bound(s, g, t, m.mu, m.bulk, 1 / (w * w), 1 / (h * h), shape.at_axis ? 0.0 : 1 / (4 * R * R));
+      const auto bound = scalar::step_bound(s, g, t, m.mu, m.bulk, 1 / (w * w), 1 / (h * h), (shape.at_axis ? scalar::axis_hoop_share : 1) / (4 * R * R));
       const double drag = damping * J * bound.over_stretch;
       forces.largest_inverse_step = std::max(forces.largest_inverse_step, std::sqrt(bound.stiffness + drag * drag) + drag);
     }

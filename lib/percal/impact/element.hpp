@@ -80,6 +80,10 @@ template <class V> PERCAL_INLINE Piola<V> first_piola(const Gradient<V>& F, cons
           (t.hoop + volumetric) * s.inverse_hoop};
 }
 
+// The share of its own hoop term w_3 = 1/(4 R^2) that the axis column's step takes: its outer corners lie on nodes with four times
+// the mass that it gives them. Held by tests/impact against eigenvalues of the column with its neighbour.
+inline constexpr double axis_hoop_share = 0.25;
+
 // What decides the stable step of an element (docs/theory/impact.md, "Stable step").
 // stiffness = 1/dt^2 of the undamped element, over_stretch = sum of w_i / lambda_i^2, the share that viscosity acts through.
 template <class V> struct StepBound { V stiffness, over_stretch; };

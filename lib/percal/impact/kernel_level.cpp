@@ -37,7 +37,7 @@ void internal_forces(const FieldsView<Real>& fields, int column, int row_end, co
   const Real mu = Real(material.mu), bulk = Real(material.bulk), alpha = Real(material.alpha);
   const Real two_mu_over_alpha = Real(2 * material.mu / material.alpha), half_bulk = Real(material.bulk / 2);
   const Real per_width2 = Real(1 / (shape.width * shape.width)), per_height2 = Real(1 / (shape.height * shape.height));
-  const Real per_hoop2 = shape.at_axis ? Real(0) : Real(1 / (4 * shape.mean_radius * shape.mean_radius));
+  const Real per_hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) / (4 * shape.mean_radius * shape.mean_radius));
   const Real length = Real(__builtin_sqrt(area));
   const Real linear = Real(material.linear_viscosity), quadratic = Real(material.quadratic_viscosity);
   const Real per_step = previous_step > 0 ? Real(1 / previous_step) : Real(0);
