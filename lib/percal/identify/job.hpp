@@ -27,6 +27,7 @@ struct ModelMaterial {
   double density = 0;                   // kg/m3
   double rate_factor = 1;               // high-rate over quasi-static modulus
   std::optional<double> exponent;       // of mu = k c^n; left out: fitted
+  std::string table;                    // what the published table of formulations is called
   std::vector<Formulation> formulations;
 };
 
@@ -84,6 +85,7 @@ struct PredictedShot {
 
 struct PredictionSet {
   std::string system;
+  std::string table;            // what the published table of these shots is called; may be empty
   std::vector<PredictedShot> shots;
   PredictionMaterial material;
   double target_density = 0;
@@ -105,11 +107,14 @@ struct ScaledLine {
   std::string name;
   std::vector<Shot> shots;           // of the model's ball
   std::vector<PredictedShot> cases;  // measured, and reference: what the thesis's own line gave
+  std::string shots_table;           // what the published table of the model's shots is called
+  std::optional<double> reference_slope, reference_intercept;  // m per kg/(m s), m
   std::optional<double> reference_mean_error;
 };
 
 // Depths of shapes of one mass at one speed, each scaled from its own trend by the mass.
 struct EqualMass {
+  std::string table;  // what the published table is called
   struct Shape {
     std::string name;
     std::string trend;            // name of a [[trends]] entry, or empty for a sphere on the scaled line

@@ -54,9 +54,11 @@ ModelMaterial read_gelatin(const TomlTable& block) {
                         .density = block.quantity("density", dimension::density, density),
                         .rate_factor = block.number("rate_factor", factor),
                         .exponent = block.optional_number("exponent", any_number()),
+                        .table = "",
                         .formulations = {}};
   const TomlTable rows = block.table("formulations");
   const CsvTable table = table_of(rows);
+  gelatin.table = rows.text("name", gelatin.name + " formulations");
   const auto concentration = column(rows, "concentration", table, dimension::none);
   const auto quasi_static = column(rows, "mu_quasi_static", table, dimension::pressure);
   const auto penetration = column(rows, "penetration", table, dimension::length);
@@ -160,6 +162,7 @@ PredictionMaterial read_material(const TomlTable& block) {
 std::vector<PredictionSet> read_predictions(const TomlTable& block) {
   PredictionSet set;
   set.system = block.text("system");
+  set.table = block.text("table", "");
   set.shots = read_shots_to_predict(block, table_of(block));
   set.material = read_material(block);
   set.volumetric = volumetric_from(block);
@@ -207,11 +210,16 @@ TrendTable read_trend(const TomlTable& block) {
   return trend;
 }
 
+constexpr Dimension depth_per_impact_parameter{.mass = -1, .length = 2, .time = 1};
+
 ScaledLine read_scaled_line(const TomlTable& block) {
   ScaledLine line;
   line.name = block.text("name");
+  line.reference_slope = block.optional_quantity("reference_slope", depth_per_impact_parameter, any_number());
+  line.reference_intercept = block.optional_quantity("reference_intercept", dimension::length, any_number());
   const TomlTable shots = block.table("shots");
   const CsvTable table = table_of(shots);
+  line.shots_table = shots.text("name", "model shots");
   line.shots = read_shots(table, {.density = shots.text("density"), .radius = shots.text("radius", ""),
                                   .diameter = shots.text("diameter", ""), .speed = shots.text("speed"), .depth = shots.text("penetration")});
   std::vector<double> parameters;
@@ -224,7 +232,7 @@ ScaledLine read_scaled_line(const TomlTable& block) {
 }
 
 EqualMass read_equal_mass(const TomlTable& block) {
-  EqualMass equal{.mass = block.quantity("mass", dimension::mass, positive("mass")),
+  EqualMass equal{.table = block.text("name", "shapes of equal mass"), .mass = block.quantity("mass", dimension::mass, positive("mass")),
                   .speed = block.quantity("speed", dimension::speed, speed), .shapes = {}};
   for (const TomlTable& shape : block.tables("shapes"))
     equal.shapes.push_back({.name = shape.text("name"), .trend = shape.text("trend", ""),

@@ -30,19 +30,27 @@ void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::
 }
 
 void add_formulation_table(const IdentifyJob& job, const Identification& found, std::vector<ComparisonTable>& tables) {
-  ComparisonTable table{.name = job.gelatin.name + " formulations, high-rate modulus by law and rate factor", .note = "", .rows = {}};
+  ComparisonTable table{.name = job.gelatin.table + ", high-rate modulus by law and rate factor", .note = "", .rows = {}};
   for (const Formulation& f : job.gelatin.formulations)
     table.rows.push_back({.what = fmt::format("{} wt%", f.concentration), .unit = "kPa", .reference = f.mu_high_rate ? std::optional(*f.mu_high_rate / kPa) : std::nullopt,
                           .ours = high_rate_modulus(found.gelatin.law.at(f.concentration), job.gelatin.rate_factor) / kPa, .error = {}, .digits = 4, .remark = ""});
   tables.push_back(std::move(table));
 }
 
+void add_line(const ScaledLine& scaled, const Line& line, std::vector<ComparisonTable>& tables) {
+  const auto in_cm = [](const std::optional<double>& metres) { return metres ? std::optional(*metres / cm) : std::nullopt; };
+  ComparisonTable table{.name = scaled.shots_table + ": line through the model's shots", .note = "depth against rho v a", .rows = {}};
+  table.rows.push_back({.what = "slope", .unit = "cm per kg/(m s)", .reference = in_cm(scaled.reference_slope), .ours = line.slope / cm, .error = in_cm(line.slope_error), .digits = 5, .remark = ""});
+  table.rows.push_back({.what = "intercept", .unit = "cm", .reference = in_cm(scaled.reference_intercept), .ours = line.intercept / cm, .error = in_cm(line.intercept_error), .digits = 5, .remark = ""});
+  tables.push_back(std::move(table));
+}
+
 void add_scaled_line(const ScaledLine& scaled, const Identification& found, std::vector<ComparisonTable>& tables) {
   const Line line = depth_trend(scaled.shots);
+  add_line(scaled, line, tables);
   const double speed_ratio = *found.similarity.model.speed / *found.similarity.prototype.speed;
   ComparisonTable table{.name = scaled.name,
-                        .note = fmt::format("line through the model's shots: depth = {:.5g} cm per kg/(m s) rho v a {:+.5g} cm", line.slope / cm, line.intercept / cm),
-                        .rows = {}};
+                        .note = "from the line through the model's shots", .rows = {}};
   std::vector<double> computed, measured;
   for (const PredictedShot& shot : scaled.cases) {
     System prototype;
@@ -68,7 +76,8 @@ void add_prediction_tables(const IdentifyJob& job, const Identification& found, 
   for (const PredictionResult& result : found.predictions) {
     bool has_reference = false;
     for (const PredictedShot& shot : result.set->shots) has_reference |= shot.reference.has_value();
-    ComparisonTable table{.name = fmt::format("{} ({:.5g} kg/m3)", result.set->system, result.set->target_density),
+    const std::string system = result.set->table.empty() ? result.set->system : result.set->table + ", " + result.set->system;
+    ComparisonTable table{.name = fmt::format("{} ({:.5g} kg/m3)", system, result.set->target_density),
                           .note = has_reference ? "beside the " + job.reference_name + "'s finite elements" : "beside the measured depths", .rows = {}};
     for (std::size_t i = 0; i < result.shots.size(); ++i) {
       const PredictedShot& shot = result.set->shots[i];
@@ -98,7 +107,7 @@ void add_trends(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
 void add_equal_mass(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
   if (!job.equal_mass) return;
   const EqualMass& equal = *job.equal_mass;
-  ComparisonTable table{.name = "shapes of equal mass", .note = fmt::format("{:.4g} g at {:.4g} m/s, each from its own line", equal.mass * 1e3, equal.speed), .rows = {}};
+  ComparisonTable table{.name = equal.table, .note = fmt::format("{:.4g} g at {:.4g} m/s, each from its own line", equal.mass * 1e3, equal.speed), .rows = {}};
   for (const auto& shape : equal.shapes) {
     double depth = 0;
     if (shape.trend.empty()) {
