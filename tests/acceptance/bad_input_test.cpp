@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "acceptance/program.hpp"
+#include "acceptance/liver.hpp"
 
 namespace percal {
 namespace {
 
-using acceptance::Ended;
 using acceptance::LiverJob;
+using test::Ended;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -29,7 +29,7 @@ class BadInputTo : public LiverJob, public testing::WithParamInterface<BadComman
  protected:
   BadInputTo() {
     job();
-    write("layer.toml", text_of(acceptance::test_data + "layer.toml"));
+    write("layer.toml", text_of(test::test_data + "layer.toml"));
     write("curve.csv", "stretch,stress_kPa,mode\n1.1,10,UT\n1.2,21,UT\n1.5,60,UT\n");
     write("scale.toml",
           "[prototype]\nscene = \"layer.toml\"\n[model]\nradius = \"2 mm\"\nparticle_density = \"7800 kg/m3\"\nspeed = "
@@ -47,10 +47,7 @@ TEST_P(BadInputTo, EndsWithExitCodeTwoAndOneClearMessage) {
     write(bad.file, text.replace(at, bad.from.size(), bad.to));
   }
   const auto before = files();
-  std::vector<std::string> words;
-  std::istringstream command(bad.command);
-  for (std::string word; command >> word;) words.push_back(word);
-  const Ended ended = run(words);
+  const Ended ended = run(test::words_of(bad.command));
   EXPECT_EQ(ended.code, 2) << ended.err;
   EXPECT_THAT(ended.out, IsEmpty());
   EXPECT_THAT(ended.err, AllOf(StartsWith("percal: "), Not(HasSubstr("internal error"))));

@@ -1,13 +1,13 @@
 // The command line itself: help, version, words that it does not know.
 #include <gmock/gmock.h>
 
-#include "acceptance/program.hpp"
+#include "support/program.hpp"
 
 namespace percal {
 namespace {
 
-using acceptance::Ended;
-using acceptance::Program;
+using test::Ended;
+using test::Program;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -35,7 +35,7 @@ TEST_F(CommandLine, ShowsItsVersion) {
 }
 
 TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
-  const std::string scene = acceptance::test_data + "layer.toml", job = acceptance::guha2009 + "skin.toml";
+  const std::string scene = test::test_data + "layer.toml", job = test::guha2009 + "skin.toml";
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
       {{"identfy", job},
@@ -66,8 +66,7 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
 }
 
 TEST_F(CommandLine, ZeroThreadsMeansOneForEachCore) {
-  EXPECT_EQ(run({"impact", acceptance::test_data + "layer.toml", "--threads", "0", "--store", "store", "--quiet"}).code,
-            0);
+  EXPECT_EQ(run({"impact", test::test_data + "layer.toml", "--threads", "0", "--store", "store", "--quiet"}).code, 0);
 }
 
 }  // namespace

@@ -4,16 +4,16 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 
-#include "acceptance/program.hpp"
+#include "acceptance/liver.hpp"
 #include "percal/store/store.hpp"
 
 namespace percal {
 namespace {
 
-using acceptance::Ended;
 using acceptance::LiverJob;
 using acceptance::without_cost;
 using nlohmann::json;
+using test::Ended;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,7 +27,7 @@ class Disk : public LiverJob {
  protected:
   Disk() {
     job();
-    write("layer.toml", text_of(acceptance::test_data + "layer.toml"));
+    write("layer.toml", text_of(test::test_data + "layer.toml"));
     write("in_the_way", "a file, not a folder\n");
   }
   ~Disk() override {
@@ -152,17 +152,14 @@ TEST_F(Disk, AFileThatMayNotGrowIsAFailureAndNotTheEndOfTheProcess) {
 
 TEST_F(Disk, AFullStandardOutputIsAFailureToo) {
   if (!fs::exists("/dev/full")) GTEST_SKIP();
-  const auto into_a_full_disk = [] {
-    if (!freopen("/dev/full", "w", stdout)) _exit(126);
-  };
   for (const std::vector<std::string>& command :
        std::vector<std::vector<std::string>>{{"identify", "liver.toml", "--store", "store"},
                                              {"identify", "liver.toml", "--store", "store", "--json"},
                                              {"impact", "layer.toml", "--store", "store"},
                                              {"impact", "layer.toml", "--store", "store", "--json"},
                                              {"impact", "layer.toml", "--check"},
-                                             {"scale", acceptance::guha2009 + "similar.toml", "--json"}}) {
-    const Ended ended = run(command, into_a_full_disk);
+                                             {"scale", test::guha2009 + "similar.toml", "--json"}}) {
+    const Ended ended = run(command, test::into_a_full_disk);
     expect_failure(ended, "standard output");
   }
 }

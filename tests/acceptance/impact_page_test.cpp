@@ -1,34 +1,16 @@
 // docs/formats/impact.md names every key of the result.
-#include <gtest/gtest.h>
-#include <unistd.h>
+#include "support/program.hpp"
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-
+namespace percal {
 namespace {
 
-std::string output_of(const std::string& command) {
-  std::string text;
-  FILE* pipe = popen(command.c_str(), "r");
-  char part[4096];
-  while (const std::size_t n = fread(part, 1, sizeof part, pipe)) text.append(part, n);
-  pclose(pipe);
-  return text;
-}
+class ImpactPage : public test::Program {};
 
-TEST(ImpactPage, NamesEveryKeyOfTheResult) {
-  const auto store = std::filesystem::temp_directory_path() / ("impact_page_" + std::to_string(getpid()) + ".store");
-  const auto result = nlohmann::json::parse(output_of(std::string(PERCAL_PROGRAM) + " impact " + PERCAL_DATA +
-                                                      "/guha2009/gold.toml --elements-per-radius 3 --json --store " + store.string()));
-  std::filesystem::remove(store);
-  std::ifstream file(PERCAL_DATA "/../docs/formats/impact.md");
-  std::stringstream page;
-  page << file.rdbuf();
-  const auto is_named = [&](const std::string& key) { return page.str().find("`" + key + "`") != std::string::npos; };
+TEST_F(ImpactPage, NamesEveryKeyOfTheResult) {
+  const test::Ended ended = run({"impact", test::guha2009 + "gold.toml", "--elements-per-radius", "3", "--json"});
+  const auto result = nlohmann::json::parse(ended.out);
+  const std::string page = text_of(test::docs + "formats/impact.md");
+  const auto is_named = [&](const std::string& key) { return page.find("`" + key + "`") != std::string::npos; };
   EXPECT_GT(result.size(), 20u);
   for (const auto& [key, value] : result.items()) EXPECT_TRUE(is_named(key)) << key;
   for (const auto& [key, value] : result.at("energy").items()) EXPECT_TRUE(is_named(key)) << "energy." << key;
@@ -36,3 +18,4 @@ TEST(ImpactPage, NamesEveryKeyOfTheResult) {
 }
 
 }  // namespace
+}  // namespace percal

@@ -3,15 +3,15 @@
 
 #include <sstream>
 
-#include "acceptance/program.hpp"
+#include "support/program.hpp"
 
 namespace percal {
 namespace {
 
-using acceptance::Ended;
-using acceptance::guha2009;
-using acceptance::Program;
 using nlohmann::json;
+using test::Ended;
+using test::guha2009;
+using test::Program;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -20,7 +20,7 @@ class Impact : public Program {
  protected:
   // tests/data/layer.toml with pieces of its text replaced.
   std::string scene(const std::vector<std::pair<std::string, std::string>>& replacements = {}) const {
-    std::string text = text_of(acceptance::test_data + "layer.toml");
+    std::string text = text_of(test::test_data + "layer.toml");
     for (const auto& [from, to] : replacements) text.replace(text.find(from), from.size(), to);
     return write("layer.toml", text);
   }

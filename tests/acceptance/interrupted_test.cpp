@@ -7,16 +7,16 @@
 #include <random>
 #include <thread>
 
-#include "acceptance/program.hpp"
+#include "acceptance/liver.hpp"
 #include "percal/store/store.hpp"
 
 namespace percal {
 namespace {
 
-using acceptance::Ended;
 using acceptance::LiverJob;
 using acceptance::without_cost;
 using nlohmann::json;
+using test::Ended;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;

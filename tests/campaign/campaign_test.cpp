@@ -1,15 +1,15 @@
 #include "percal/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <atomic>
-#include <filesystem>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <thread>
 
 #include "percal/impact/kernel.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace percal {
 namespace {
@@ -34,22 +34,9 @@ std::vector<Problem> several() {
   return problems;
 }
 
-class CampaignTest : public testing::Test {
+class CampaignTest : public testing::Test, protected test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "percal-campaign-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    store = std::make_unique<Store>((folder_ / "percal.store").string());
-  }
-  void TearDown() override {
-    store.reset();
-    std::filesystem::remove_all(folder_);
-  }
-  std::unique_ptr<Store> store;
-
- private:
-  std::filesystem::path folder_;
+  const std::unique_ptr<Store> store = std::make_unique<Store>(path("percal.store"));
 };
 
 TEST_F(CampaignTest, WhatIsInTheStoreIsNotRunAgain) {

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "acceptance/program.hpp"
+#include "acceptance/liver.hpp"
 #include "percal/identify/job.hpp"
 
 namespace percal {
@@ -17,7 +17,7 @@ using Keys = std::map<std::string, std::set<std::string>>;  // by the heading of
 
 class IdentifyPage : public LiverJob {
  protected:
-  static std::string page() { return text_of(PERCAL_DATA "/../docs/formats/identify.md"); }
+  static std::string page() { return text_of(test::docs + "formats/identify.md"); }
 
   static Keys described() {
     Keys keys;
@@ -56,11 +56,11 @@ class IdentifyPage : public LiverJob {
 };
 
 TEST_F(IdentifyPage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
-  for (const auto& table : fs::directory_iterator(acceptance::guha2009))
+  for (const auto& table : fs::directory_iterator(test::guha2009))
     if (table.path().extension() == ".csv") fs::copy_file(table.path(), folder / table.path().filename());
   Keys keys;
-  collect(text_of(acceptance::guha2009 + "skin.toml"), keys);
-  collect(text_of(acceptance::test_data + "liver/liver.toml"), keys);
+  collect(text_of(test::guha2009 + "skin.toml"), keys);
+  collect(text_of(test::test_data + "liver/liver.toml"), keys);
   // Neither job has cases by diameter or with densities in a column: the keys of [[predictions]].
   for (const char* key : {"particle_column", "particle_density_column", "diameter_column"})
     keys["[scaled_line.cases]"].insert(key);

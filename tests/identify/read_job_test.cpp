@@ -1,7 +1,7 @@
 // Jobs that cannot be run: refused on reading, with the place, what was found and what is accepted.
 #include <gmock/gmock.h>
 
-#include "acceptance/program.hpp"
+#include "acceptance/liver.hpp"
 #include "percal/identify/job.hpp"
 
 namespace percal {
@@ -295,7 +295,7 @@ TEST_F(LiverJob, IsReadAsItStands) {
 }
 
 TEST(SkinJob, IsReadAsItStands) {
-  const IdentifyJob read = read_identify_job(acceptance::guha2009 + "skin.toml");
+  const IdentifyJob read = read_identify_job(test::guha2009 + "skin.toml");
   EXPECT_EQ(read.convention, ModulusConvention::mu_over_alpha);
   EXPECT_EQ(std::get<AlphaScan>(read.alpha).target.size(), 6u);
   EXPECT_EQ(read.ridge.erosion_strains.size(), 6u);

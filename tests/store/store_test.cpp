@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "percal/base/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace percal {
 namespace {
@@ -22,24 +23,15 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class StoreTest : public testing::Test {
+class StoreTest : public testing::Test, protected test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "percal-store-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-    file = (folder / "percal.store").string();
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   std::string content() const {
     std::ostringstream text;
     text << std::ifstream(file, std::ios::binary).rdbuf();
     return text.str();
   }
 
-  fs::path folder;
-  std::string file;
+  const std::string file = path("percal.store");
 };
 
 const StoredEvaluation stopped{.outcome = "stopped", .payload = "{\"depth\": 26.5}", .cpu_seconds = 1.25};

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "percal/base/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace percal {
 namespace {
@@ -18,23 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class File : public testing::Test {
+class File : public testing::Test, protected test::TemporaryFolder {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "percal-file-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  std::string in_folder(const std::string& name) const { return (folder / name).string(); }
   std::vector<std::string> names() const {
     std::vector<std::string> result;
     for (const auto& entry : fs::directory_iterator(folder)) result.push_back(entry.path().filename().string());
     return result;
   }
-
-  fs::path folder;
 };
 
 // Files beyond `bytes` cannot be written while this lives: the disk is full.
@@ -58,26 +49,26 @@ class FullDisk {
 
 TEST_F(File, WhatIsWrittenIsReadBackByteForByte) {
   const std::string content = std::string("a\r\nb\0c\xff", 7) + std::string(300000, 'x');
-  write_file(in_folder("new/deep/file.txt"), content);
-  EXPECT_EQ(read_file(in_folder("new/deep/file.txt")), content);
-  write_file(in_folder("new/deep/file.txt"), "short");
-  EXPECT_EQ(read_file(in_folder("new/deep/file.txt")), "short");
+  write_file(path("new/deep/file.txt"), content);
+  EXPECT_EQ(read_file(path("new/deep/file.txt")), content);
+  write_file(path("new/deep/file.txt"), "short");
+  EXPECT_EQ(read_file(path("new/deep/file.txt")), "short");
 }
 
 TEST_F(File, AFullDiskLeavesTheOldFileAndNothingElse) {
-  write_file(in_folder("result.json"), "old");
+  write_file(path("result.json"), "old");
   {
     const FullDisk full(1000);
-    EXPECT_THROW(write_file(in_folder("result.json"), std::string(5000, 'x')), IoFailure);
-    EXPECT_THROW(write_file(in_folder("other.json"), std::string(5000, 'x')), IoFailure);
+    EXPECT_THROW(write_file(path("result.json"), std::string(5000, 'x')), IoFailure);
+    EXPECT_THROW(write_file(path("other.json"), std::string(5000, 'x')), IoFailure);
     EXPECT_THROW(ensure_writable_folder(folder.string()), IoFailure);
   }
-  EXPECT_EQ(read_file(in_folder("result.json")), "old");
+  EXPECT_EQ(read_file(path("result.json")), "old");
   EXPECT_THAT(names(), testing::ElementsAre("result.json"));
 }
 
 TEST_F(File, APipeIsWrittenToAndNotReplaced) {
-  const std::string pipe = in_folder("pipe");
+  const std::string pipe = path("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reader, 0);
@@ -90,8 +81,8 @@ TEST_F(File, APipeIsWrittenToAndNotReplaced) {
 }
 
 TEST_F(File, AnUnwritableFolderIsAnIoFailureThatNamesThePath) {
-  write_file(in_folder("regular"), "");
-  for (const std::string& path : {in_folder("regular/below"), std::string("/proc/percal/file")}) {
+  write_file(path("regular"), "");
+  for (const std::string& path : {path("regular/below"), std::string("/proc/percal/file")}) {
     try {
       write_file(path, "text");
       ADD_FAILURE() << path;
@@ -102,29 +93,29 @@ TEST_F(File, AnUnwritableFolderIsAnIoFailureThatNamesThePath) {
   }
   EXPECT_THROW(write_file(folder.string(), "text"), IoFailure);
   EXPECT_THROW(write_file("", "text"), IoFailure);
-  EXPECT_THROW(ensure_writable_folder(in_folder("regular")), IoFailure);
+  EXPECT_THROW(ensure_writable_folder(path("regular")), IoFailure);
 }
 
 TEST_F(File, AWritableFolderIsLeftEmpty) {
-  ensure_writable_folder(in_folder("a/b"));
-  EXPECT_TRUE(fs::is_directory(in_folder("a/b")));
-  EXPECT_TRUE(fs::is_empty(in_folder("a/b")));
+  ensure_writable_folder(path("a/b"));
+  EXPECT_TRUE(fs::is_directory(path("a/b")));
+  EXPECT_TRUE(fs::is_empty(path("a/b")));
 }
 
 TEST_F(File, ALinkStaysALinkAndPermissionsStay) {
-  write_file(in_folder("real"), "old");
-  chmod(in_folder("real").c_str(), 0640);
-  fs::create_symlink("real", in_folder("link"));
-  write_file(in_folder("link"), "new");
-  EXPECT_TRUE(fs::is_symlink(in_folder("link")));
-  EXPECT_EQ(read_file(in_folder("real")), "new");
+  write_file(path("real"), "old");
+  chmod(path("real").c_str(), 0640);
+  fs::create_symlink("real", path("link"));
+  write_file(path("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read_file(path("real")), "new");
   struct stat status;
-  ASSERT_EQ(stat(in_folder("real").c_str(), &status), 0);
+  ASSERT_EQ(stat(path("real").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777, 0640u);
 }
 
 TEST_F(File, AMissingFileOrAFolderIsBadInput) {
-  EXPECT_THROW(read_file(in_folder("missing")), BadInput);
+  EXPECT_THROW(read_file(path("missing")), BadInput);
   EXPECT_THROW(read_file(folder.string()), BadInput);
   EXPECT_THROW(read_file(""), BadInput);
   EXPECT_THROW(read_file(std::string(5000, 'x')), BadInput);

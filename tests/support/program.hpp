@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,30 +15,36 @@
 #include <string>
 #include <vector>
 
-namespace percal::acceptance {
+#include "support/temporary_folder.hpp"
 
-namespace fs = std::filesystem;
+namespace percal::test {
 
 inline const std::string guha2009 = PERCAL_DATA "/guha2009/";
 inline const std::string test_data = PERCAL_DATA "/../tests/data/";
+inline const std::string docs = PERCAL_DATA "/../docs/";
 
 struct Ended {
   int code;  // -1: by a signal
   std::string out, err;
 };
 
-class Program : public testing::Test {
- protected:
-  Program() {
-    std::string name = (fs::temp_directory_path() / "percal-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    folder = name;
-  }
-  ~Program() override { fs::remove_all(folder); }
+// The words of a command line without quotes: what stands between its blanks.
+inline std::vector<std::string> words_of(const std::string& command) {
+  std::vector<std::string> words;
+  std::istringstream stream(command);
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
 
-  std::string path(const std::string& name) const { return (folder / name).string(); }
+// For `in_child`: standard output goes to a disk without room.
+inline void into_a_full_disk() {
+  if (!freopen("/dev/full", "w", stdout)) _exit(126);
+}
+
+class ProgramFolder : public TemporaryFolder {
+ public:
   std::string write(const std::string& name, const std::string& content) const {
-    fs::create_directories(fs::path(path(name)).parent_path());
+    std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
     std::ofstream(path(name), std::ios::binary) << content;
     return path(name);
   }
@@ -52,14 +59,14 @@ class Program : public testing::Test {
   // Everything below a folder, for "nothing was written". The streams of the program itself are not part of it.
   std::set<std::string> files(const std::string& below = "") const {
     std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder / below))
-      names.insert(fs::relative(entry.path(), folder).string());
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / below))
+      names.insert(std::filesystem::relative(entry.path(), folder).string());
     names.erase("stdout");
     names.erase("stderr");
     return names;
   }
 
-  // A process of its own, in the test's folder; `in_child` runs there before the program does.
+  // A process of its own, in this folder; `in_child` runs there before the program does.
   pid_t start(const std::vector<std::string>& arguments, const std::function<void()>& in_child = {}) const {
     std::vector<char*> words{const_cast<char*>(PERCAL_PROGRAM)};
     for (const auto& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -80,31 +87,9 @@ class Program : public testing::Test {
   Ended run(const std::vector<std::string>& arguments, const std::function<void()>& in_child = {}) const {
     return wait_for(start(arguments, in_child));
   }
-
-  fs::path folder;
 };
 
-// The small job of tests/data/liver with pieces of its text replaced, and its tables beside it.
-class LiverJob : public Program {
- protected:
-  LiverJob() {
-    for (const char* table : {"agar.csv", "shots.csv"}) fs::copy_file(test_data + "liver/" + table, folder / table);
-  }
-  std::string job(const std::vector<std::pair<std::string, std::string>>& replacements = {}) const {
-    std::string text = text_of(test_data + "liver/liver.toml");
-    for (const auto& [from, to] : replacements) {
-      const auto at = text.find(from);
-      if (at == std::string::npos) throw std::runtime_error("the job has no text \"" + from + "\"");
-      text.replace(at, from.size(), to);
-    }
-    return write("liver.toml", text);
-  }
-};
+// A folder for each test.
+class Program : public testing::Test, protected ProgramFolder {};
 
-// A result without what depends on the run and not on the problem.
-inline nlohmann::json without_cost(nlohmann::json result) {
-  result.erase("cost");
-  return result;
-}
-
-}  // namespace percal::acceptance
+}  // namespace percal::test
