@@ -9,17 +9,17 @@
 namespace percal::tools {
 
 struct Common {
-  std::string out;      // folder for results; empty: NAME.out beside the job
-  std::string store;    // evaluation store; empty: default_store_path()
-  int threads = 0;      // evaluations side by side; 0: as many as there are cores
-  bool json = false;    // print the result on standard output
-  bool check = false;   // read and validate, run nothing
+  std::string out;     // folder for results; empty: NAME.out beside the job
+  std::string store;   // evaluation store; empty: default_store_path()
+  int threads = 0;     // evaluations side by side; 0: as many as there are cores
+  bool json = false;   // print the result on standard output
+  bool check = false;  // read and validate, run nothing
   bool quiet = false;
 };
 
 struct FitArguments {
   std::vector<std::string> files;
-  std::string mode;                // empty: from the `mode` column
+  std::string mode;  // empty: from the `mode` column
   std::string residual = "relative";
   std::string x, y;                // columns; empty: found by their names
   std::vector<std::string> where;  // COLUMN=VALUE
@@ -46,7 +46,7 @@ struct CardArguments {
   std::string result;
   std::string solver;  // lsdyna, abaqus, calculix
   std::string units = "si";
-  std::string file;    // where to write; empty: standard output
+  std::string file;  // where to write; empty: standard output
 };
 
 Exit run_fit(const FitArguments&, const Common&);

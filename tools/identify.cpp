@@ -25,11 +25,13 @@ std::string number(const std::optional<double>& value, int digits) {
 }
 
 void print(const ComparisonTable& table, const std::string& reference_name) {
-  std::vector<std::vector<std::string>> rows{{"", "unit", table.beside.empty() ? reference_name : table.beside, "percal", "difference", "error", ""}};
+  std::vector<std::vector<std::string>> rows{
+      {"", "unit", table.beside.empty() ? reference_name : table.beside, "percal", "difference", "error", ""}};
   for (const ComparedNumber& row : table.rows) {
     const auto difference = row.difference();
-    rows.push_back({row.what, row.unit.empty() ? "-" : row.unit, number(row.reference, row.digits), number(row.ours, row.digits),
-                    difference ? fmt::format("{:+.2f} %", 100 * *difference) : "-", row.error ? fmt::format("{:.2g}", *row.error) : "-", row.remark});
+    rows.push_back({row.what, row.unit.empty() ? "-" : row.unit, number(row.reference, row.digits),
+                    number(row.ours, row.digits), difference ? fmt::format("{:+.2f} %", 100 * *difference) : "-",
+                    row.error ? fmt::format("{:.2g}", *row.error) : "-", row.remark});
   }
   fmt::print("{}\n{}", table.name, aligned(rows));
   if (!table.note.empty()) fmt::print("  {}\n", table.note);
@@ -49,8 +51,10 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
   const IdentifyJob job = read_identify_job(arguments.job);
   if (common.check) {
-    if (common.json) fmt::print("{}\n", nlohmann::json{{"command", "identify"}, {"job", arguments.job}, {"valid", true}}.dump());
-    else if (!common.quiet) fmt::print("{}: a job that can be run\n", arguments.job);
+    if (common.json)
+      fmt::print("{}\n", nlohmann::json{{"command", "identify"}, {"job", arguments.job}, {"valid", true}}.dump());
+    else if (!common.quiet)
+      fmt::print("{}: a job that can be run\n", arguments.job);
     return Exit::done;
   }
   const std::string folder = out_folder(arguments.job, common);
@@ -64,15 +68,17 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   });
   const CampaignCost cost = campaign.cost();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto json = identification_to_json(job, found, {cost.runs, cost.reused, wall, cost.cpu_seconds, instruction_level()});
-  const std::string result = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // tables need not be UTF-8
+  const auto json =
+      identification_to_json(job, found, {cost.runs, cost.reused, wall, cost.cpu_seconds, instruction_level()});
+  const std::string result =
+      json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // tables need not be UTF-8
   write_file(folder + "/result.json", result);
   if (found.card) write_cards(*found.card, folder);
   if (common.json) fmt::print("{}", result);
   if (talk) {
     for (const auto& finding : found.findings) fmt::print("note: {}\n", finding);
-    fmt::print("\n{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all on {} threads. Results: {}\n", cost.runs, cost.reused,
-               cost.cpu_seconds, wall, campaign.threads(), folder);
+    fmt::print("\n{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all on {} threads. Results: {}\n",
+               cost.runs, cost.reused, cost.cpu_seconds, wall, campaign.threads(), folder);
   }
   return found.complete() ? Exit::done : Exit::outcome_not_reached;
 }

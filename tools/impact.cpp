@@ -27,7 +27,8 @@ Scene scene_with_options(const ImpactArguments& arguments) {
   if (arguments.elements_per_radius) scene.mesh.elements_per_radius = *arguments.elements_per_radius;
   if (arguments.replicates) scene.replicates = *arguments.replicates;
   if (arguments.arithmetic)
-    scene.solver.arithmetic = *arguments.arithmetic == "double" ? Arithmetic::double_precision : Arithmetic::single_precision;
+    scene.solver.arithmetic =
+        *arguments.arithmetic == "double" ? Arithmetic::double_precision : Arithmetic::single_precision;
   if (!arguments.history.empty()) scene.output.history = true;
   return scene;
 }
@@ -67,14 +68,21 @@ struct Findings {
 
 Json to_json(const Findings& f) {
   Json left_out = Json::array(), runs = Json::array();
-  for (const auto& omission : f.reduction.left_out) left_out.push_back({{"what", omission.what}, {"why", omission.why}});
+  for (const auto& omission : f.reduction.left_out)
+    left_out.push_back({{"what", omission.what}, {"why", omission.why}});
   for (std::size_t k = 0; k < f.runs.size(); ++k) {
     const auto& r = f.runs[k].result;
-    runs.push_back({{"speed_factor", replicate_speed_factor(static_cast<int>(k))}, {"outcome", word(r.outcome)},
-                    {"depth_m", f.penetration.depths[k]}, {"steps", r.steps}, {"eroded", r.eroded},
-                    {"smallest_jacobian", r.smallest_jacobian}, {"smallest_step_over_first", r.smallest_step},
-                    {"largest_gap_over_element", r.largest_gap}, {"energy_closure", r.energy.closure()},
-                    {"cpu_s", f.runs[k].cpu_seconds}, {"reused", f.runs[k].reused}});
+    runs.push_back({{"speed_factor", replicate_speed_factor(static_cast<int>(k))},
+                    {"outcome", word(r.outcome)},
+                    {"depth_m", f.penetration.depths[k]},
+                    {"steps", r.steps},
+                    {"eroded", r.eroded},
+                    {"smallest_jacobian", r.smallest_jacobian},
+                    {"smallest_step_over_first", r.smallest_step},
+                    {"largest_gap_over_element", r.largest_gap},
+                    {"energy_closure", r.energy.closure()},
+                    {"cpu_s", f.runs[k].cpu_seconds},
+                    {"reused", f.runs[k].reused}});
   }
   const auto& first = f.runs.front().result;
   return {{"schema", result_schema},
@@ -108,10 +116,15 @@ Json to_json(const Findings& f) {
 
 void print_energy(const EnergyLedger& e) {
   fmt::print("  energy, shares of the impact energy (mean of the runs)\n");
-  const std::pair<const char*, double> rows[] = {
-      {"sphere, kinetic", e.particle}, {"nodes with elements, kinetic", e.live_kinetic}, {"freed mass, kinetic", e.freed_mass},
-      {"elastic", e.elastic}, {"hourglass springs", e.hourglass}, {"bulk viscosity", e.viscosity}, {"eroded elements", e.eroded},
-      {"contact springs", e.contact}, {"contact springs dropped at erosion", e.contact_dropped}};
+  const std::pair<const char*, double> rows[] = {{"sphere, kinetic", e.particle},
+                                                 {"nodes with elements, kinetic", e.live_kinetic},
+                                                 {"freed mass, kinetic", e.freed_mass},
+                                                 {"elastic", e.elastic},
+                                                 {"hourglass springs", e.hourglass},
+                                                 {"bulk viscosity", e.viscosity},
+                                                 {"eroded elements", e.eroded},
+                                                 {"contact springs", e.contact},
+                                                 {"contact springs dropped at erosion", e.contact_dropped}};
   for (const auto& [name, share] : rows) fmt::print("    {:<36}{:8.4f}\n", name, share);
   fmt::print("    {:<36}{:8.4f}\n", "sum", e.sum());
 }
@@ -119,9 +132,12 @@ void print_energy(const EnergyLedger& e) {
 // What would have to change for a Mach number at which K no longer matters.
 void print_refusal(const Reduction& reduction) {
   const double speed = reduction.scales.speed * recommended_mach / reduction.mach;
-  fmt::print("\n  Mach number {:.3g}: the impact is faster than the target's waves, and is not run. For a Mach number of {} give bulk_to_shear = "
-             "{:.4g} or more (left out, K is chosen so), or a speed of {} or less.",
-             reduction.mach, recommended_mach, subsonic_bulk_ratio(reduction.problem.pi4), format_quantity(speed, dimension::speed));
+  fmt::print(
+      "\n  Mach number {:.3g}: the impact is faster than the target's waves, and is not run. For a Mach number of {} "
+      "give bulk_to_shear = "
+      "{:.4g} or more (left out, K is chosen so), or a speed of {} or less.",
+      reduction.mach, recommended_mach, subsonic_bulk_ratio(reduction.problem.pi4),
+      format_quantity(speed, dimension::speed));
 }
 
 void print(const Findings& f) {
@@ -130,21 +146,27 @@ void print(const Findings& f) {
   const auto& first = f.runs.front().result;
   fmt::print("{} into {}: {}", f.scene.particle.name, f.scene.target.name, word(p.outcome));
   if (p.depth) fmt::print(", depth {}", length(*p.depth));
-  if (p.spread) fmt::print(" (spread of {} runs {}, standard error {})", f.runs.size(), length(*p.spread), length(*p.standard_error));
+  if (p.spread)
+    fmt::print(" (spread of {} runs {}, standard error {})", f.runs.size(), length(*p.spread),
+               length(*p.standard_error));
   if (p.at_least) fmt::print(", deeper than the layer's {}", length(*p.at_least));
   if (p.outcome == Outcome::supersonic) print_refusal(f.reduction);
-  fmt::print("\n  mu {} as given ({}), {} true; K {} ({}), Mach {:.3g}\n", format_quantity(f.scene.target.mu_as_given, dimension::pressure),
-             word(f.scene.target.convention), format_quantity(f.reduction.mu_true, dimension::pressure),
+  fmt::print("\n  mu {} as given ({}), {} true; K {} ({}), Mach {:.3g}\n",
+             format_quantity(f.scene.target.mu_as_given, dimension::pressure), word(f.scene.target.convention),
+             format_quantity(f.reduction.mu_true, dimension::pressure),
              format_quantity(f.reduction.bulk_modulus, dimension::pressure),
-             f.reduction.bulk_was_chosen ? fmt::format("chosen: K/mu {:.4g}", f.reduction.problem.bulk_ratio) : "given", f.reduction.mach);
+             f.reduction.bulk_was_chosen ? fmt::format("chosen: K/mu {:.4g}", f.reduction.problem.bulk_ratio) : "given",
+             f.reduction.mach);
   if (first.steps == 0) return;
-  fmt::print("  {} elements ({} per radius), {} steps, {} eroded, smallest J {:.3f}, smallest step {:.3f} of the first\n", first.elements,
-             f.reduction.problem.elements_per_radius, first.steps, first.eroded, first.smallest_jacobian, first.smallest_step);
+  fmt::print(
+      "  {} elements ({} per radius), {} steps, {} eroded, smallest J {:.3f}, smallest step {:.3f} of the first\n",
+      first.elements, f.reduction.problem.elements_per_radius, first.steps, first.eroded, first.smallest_jacobian,
+      first.smallest_step);
   print_energy(p.energy);
   fmt::print("  left out\n");
   for (const auto& omission : f.reduction.left_out) fmt::print("    {}: {}\n", omission.what, omission.why);
-  fmt::print("  {} runs, {} from the store, {:.2f} s of processor time, {:.2f} s in all, {}\n", f.cost.runs, f.cost.reused,
-             f.cost.cpu_seconds, f.wall_seconds, f.runs.front().instruction_level);
+  fmt::print("  {} runs, {} from the store, {:.2f} s of processor time, {:.2f} s in all, {}\n", f.cost.runs,
+             f.cost.reused, f.cost.cpu_seconds, f.wall_seconds, f.runs.front().instruction_level);
   for (const auto& warning : f.warnings) fmt::print("  warning: {}\n", warning);
 }
 
@@ -155,8 +177,10 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   const Scene scene = scene_with_options(arguments);
   const Reduction reduction = reduce(scene);
   if (common.check) {
-    if (common.json) fmt::print("{}\n", Json{{"command", "impact"}, {"scene", arguments.scene}, {"valid", true}}.dump());
-    else if (!common.quiet) fmt::print("{}: a scene that can be run\n", arguments.scene);
+    if (common.json)
+      fmt::print("{}\n", Json{{"command", "impact"}, {"scene", arguments.scene}, {"valid", true}}.dump());
+    else if (!common.quiet)
+      fmt::print("{}: a scene that can be run\n", arguments.scene);
     return Exit::done;
   }
   if (!common.out.empty()) ensure_writable_folder(common.out);
@@ -169,14 +193,19 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   notes.insert(notes.begin(), reduction.warnings.begin(), reduction.warnings.end());
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost()};
-  if (!arguments.history.empty()) write_file(arguments.history, history_csv(runs.front().result.history, reduction.scales));
-  const std::string result = to_json(findings).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a path need not be UTF-8
+  if (!arguments.history.empty())
+    write_file(arguments.history, history_csv(runs.front().result.history, reduction.scales));
+  const std::string result =
+      to_json(findings).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // a path need not be UTF-8
   if (!common.out.empty()) {
     write_file(common.out + "/result.json", result);
-    if (scene.output.history) write_file(common.out + "/history.csv", history_csv(runs.front().result.history, reduction.scales));
+    if (scene.output.history)
+      write_file(common.out + "/history.csv", history_csv(runs.front().result.history, reduction.scales));
   }
-  if (common.json) fmt::print("{}", result);
-  else if (!common.quiet) print(findings);
+  if (common.json)
+    fmt::print("{}", result);
+  else if (!common.quiet)
+    print(findings);
   const bool reached = penetration.outcome == Outcome::stopped || penetration.outcome == Outcome::passed_through;
   return reached ? Exit::done : Exit::outcome_not_reached;
 }

@@ -28,7 +28,8 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts) {
   command.add_option("--out", common.out, "folder for results (default: NAME.out beside the job)");
   if (runs_impacts) {
     command.add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
-    command.add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")->check(CLI::Range(0, 4096));
+    command.add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")
+        ->check(CLI::Range(0, 4096));
   }
   command.add_flag("--json", common.json, "print the result as JSON on standard output");
   command.add_flag("--check", common.check, "read and validate, run nothing");
@@ -36,13 +37,17 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts) {
 }
 
 CLI::App* add_fit(CLI::App& app, FitArguments& fit, Common& common) {
-  auto* command = app.add_subcommand("fit", "stress-stretch CSV files -> Ogden mu and alpha, every minimum, standard errors");
+  auto* command =
+      app.add_subcommand("fit", "stress-stretch CSV files -> Ogden mu and alpha, every minimum, standard errors");
   command->add_option("files", fit.files, "CSV files")->required();
-  command->add_option("--mode", fit.mode, "deformation where the file has no mode column: uniaxial, equibiaxial, planar, shear");
-  command->add_option("--residual", fit.residual, "relative (Guha 2009, Eq. 3-4) or absolute")->check(CLI::IsMember({"relative", "absolute"}));
+  command->add_option("--mode", fit.mode,
+                      "deformation where the file has no mode column: uniaxial, equibiaxial, planar, shear");
+  command->add_option("--residual", fit.residual, "relative (Guha 2009, Eq. 3-4) or absolute")
+      ->check(CLI::IsMember({"relative", "absolute"}));
   command->add_option("--x", fit.x, "column of stretch, strain or shear");
   command->add_option("--y", fit.y, "column of stress");
-  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)")->allow_extra_args(false);
+  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)")
+      ->allow_extra_args(false);
   command->footer("Example: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute");
   add_common(*command, common, false);
   command->get_option("--out")->description("folder for result.json (default: nothing is written)");
@@ -59,11 +64,15 @@ CLI::App* add_scale(CLI::App& app, ScaleArguments& scale, Common& common) {
 }
 
 CLI::App* add_impact(CLI::App& app, ImpactArguments& impact, Common& common) {
-  auto* command = app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
+  auto* command =
+      app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
   command->add_option("scene", impact.scene, "TOML scene")->required();
-  command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh (default: the scene's)")->check(CLI::Range(1, 1000));
-  command->add_option("--replicates", impact.replicates, "runs at slightly different speeds (default: the scene's, 3)")->check(CLI::Range(1, 1000));
-  command->add_option("--arithmetic", impact.arithmetic, "single or double")->check(CLI::IsMember({"single", "double"}));
+  command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh (default: the scene's)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--replicates", impact.replicates, "runs at slightly different speeds (default: the scene's, 3)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--arithmetic", impact.arithmetic, "single or double")
+      ->check(CLI::IsMember({"single", "double"}));
   command->add_option("--history", impact.history, "write the penetration history to this CSV file");
   command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
   add_common(*command, common, true);
@@ -71,7 +80,8 @@ CLI::App* add_impact(CLI::App& app, ImpactArguments& impact, Common& common) {
 }
 
 CLI::App* add_identify(CLI::App& app, IdentifyArguments& identify, Common& common) {
-  auto* command = app.add_subcommand("identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
+  auto* command = app.add_subcommand(
+      "identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
   command->add_option("job", identify.job, "TOML job")->required();
   command->footer("Example: percal identify data/guha2009/skin.toml");
   add_common(*command, common, true);
@@ -83,7 +93,9 @@ CLI::App* add_card(CLI::App& app, CardArguments& card, Common& common) {
   command->require_subcommand(1);
   auto* write = command->add_subcommand("write", "write the card of a result");
   write->add_option("result", card.result, "result.json of fit or identify")->required();
-  write->add_option("--solver", card.solver, "lsdyna, abaqus or calculix")->required()->check(CLI::IsMember({"lsdyna", "abaqus", "calculix"}));
+  write->add_option("--solver", card.solver, "lsdyna, abaqus or calculix")
+      ->required()
+      ->check(CLI::IsMember({"lsdyna", "abaqus", "calculix"}));
   write->add_option("--units", card.units, "unit system of the card: si, mm-t-s-MPa, mm-ms-kg-GPa, um-us-ng-MPa");
   write->add_option("--file", card.file, "file to write (default: standard output)");
   write->footer("Example: percal card write skin.out/result.json --solver lsdyna --units mm-ms-kg-GPa");
@@ -94,7 +106,8 @@ CLI::App* add_card(CLI::App& app, CardArguments& card, Common& common) {
 // Ends at once, by calls that a signal handler may make. Evaluations are in the store as soon as they are finished, and files
 // that are being written hold the signal back (text/file.cpp), so nothing half-written stays behind.
 void end_interrupted(int) {
-  constexpr char message[] = "\npercal: interrupted; what is finished is in the store, and the same command goes on from there\n";
+  constexpr char message[] =
+      "\npercal: interrupted; what is finished is in the store, and the same command goes on from there\n";
   [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
   _exit(static_cast<int>(Exit::interrupted));
 }
@@ -112,7 +125,8 @@ void resume_after_interruption() {
 
 // What is still in the buffer may be more than the disk holds.
 void flush_output() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
+  if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
 // Where a command is unknown CLI11 says only that one is missing.
@@ -121,14 +135,18 @@ void refuse_unknown_command(const CLI::App& app) {
   if (!chosen.empty()) return refuse_unknown_command(*chosen.front());
   const auto words = app.remaining();
   std::vector<std::string> commands;
-  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(command->get_name());
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(command->get_name());
   if (commands.empty() || words.empty() || words.front().starts_with("-")) return;
   const auto near = nearest_word(words.front(), commands);
-  throw BadInput(Place{.file = "", .line = 0, .key = "command"}, in_quotes(words.front()) + (near ? " (did you mean " + *near + "?)" : ""), listed(commands));
+  throw BadInput(Place{.file = "", .line = 0, .key = "command"},
+                 in_quotes(words.front()) + (near ? " (did you mean " + *near + "?)" : ""), listed(commands));
 }
 
 Exit run(int argc, char** argv) {
-  CLI::App app("percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.", "percal");
+  CLI::App app(
+      "percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.",
+      "percal");
   app.set_version_flag("--version", "percal " + version());
   app.require_subcommand(1);
   Common common;

@@ -10,10 +10,10 @@
 namespace percal {
 namespace {
 
-using test::Ended;
 using acceptance::LiverJob;
 using acceptance::without_cost;
 using nlohmann::json;
+using test::Ended;
 using testing::HasSubstr;
 using testing::IsEmpty;
 namespace fs = std::filesystem;
@@ -104,7 +104,8 @@ TEST_F(SecondJob, TheIdentifiedPairGivesTheDepthThatItCameFrom) {
   EXPECT_LT(strain, 1.0);
   const json& again = found["predictions"][2];
   EXPECT_NEAR(again["depth_m"].get<double>() / 230e-6, 1, 0.2)
-      << "the calibration shot at the pair on the ridge, on the ridge's mesh: noise of 4 elements per radius, a ridge of three points";
+      << "the calibration shot at the pair on the ridge, on the ridge's mesh: noise of 4 elements per radius, a ridge "
+         "of three points";
   EXPECT_NEAR(found["model_check"]["depth_m"].get<double>() / found["model_check"]["expected_m"].get<double>(), 1, 0.2)
       << "its similar system";
 }

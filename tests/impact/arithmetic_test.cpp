@@ -31,8 +31,9 @@ Sample run_sample(Problem problem, Arithmetic arithmetic) {
     const ImpactResult result = run_impact(problem);
     EXPECT_EQ(result.outcome, Outcome::stopped) << "replicate " << k;
     sample.depths.push_back(result.depth);
-    for (double EnergyLedger::*share : {&EnergyLedger::live_kinetic, &EnergyLedger::elastic, &EnergyLedger::viscosity, &EnergyLedger::eroded,
-                                        &EnergyLedger::contact_dropped, &EnergyLedger::freed_mass})
+    for (double EnergyLedger::*share :
+         {&EnergyLedger::live_kinetic, &EnergyLedger::elastic, &EnergyLedger::viscosity, &EnergyLedger::eroded,
+          &EnergyLedger::contact_dropped, &EnergyLedger::freed_mass})
       sample.energy.*share += result.energy.*share / replicates;
   }
   sample.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -44,15 +45,20 @@ class SlowArithmetic : public testing::TestWithParam<int> {};
 
 TEST_P(SlowArithmetic, SinglePrecisionGivesTheDepthOfDouble) {
   const Problem problem = setting_s(GetParam());
-  const Sample single = run_sample(problem, Arithmetic::single_precision), twice = run_sample(problem, Arithmetic::double_precision);
+  const Sample single = run_sample(problem, Arithmetic::single_precision),
+               twice = run_sample(problem, Arithmetic::double_precision);
   const double difference = mean(single.depths) - mean(twice.depths);
   const double error = std::hypot(single.standard_error, twice.standard_error);
-  std::printf("| %d | %.2f ± %.2f | %.2f ± %.2f | %+.2f ± %.2f | %.1f | %s\n", GetParam(), mean(single.depths), single.standard_error,
-              mean(twice.depths), twice.standard_error, difference, error, twice.seconds / single.seconds, instruction_level().c_str());
+  std::printf("| %d | %.2f ± %.2f | %.2f ± %.2f | %+.2f ± %.2f | %.1f | %s\n", GetParam(), mean(single.depths),
+              single.standard_error, mean(twice.depths), twice.standard_error, difference, error,
+              twice.seconds / single.seconds, instruction_level().c_str());
   EXPECT_LT(std::abs(difference), 3 * error);
-  for (const auto& [name, share] : {std::pair{"live kinetic", &EnergyLedger::live_kinetic}, {"elastic", &EnergyLedger::elastic},
-                                    {"viscosity", &EnergyLedger::viscosity}, {"eroded", &EnergyLedger::eroded},
-                                    {"contact dropped", &EnergyLedger::contact_dropped}, {"freed mass", &EnergyLedger::freed_mass}}) {
+  for (const auto& [name, share] : {std::pair{"live kinetic", &EnergyLedger::live_kinetic},
+                                    {"elastic", &EnergyLedger::elastic},
+                                    {"viscosity", &EnergyLedger::viscosity},
+                                    {"eroded", &EnergyLedger::eroded},
+                                    {"contact dropped", &EnergyLedger::contact_dropped},
+                                    {"freed mass", &EnergyLedger::freed_mass}}) {
     std::printf("  %-16s %.4f %.4f\n", name, single.energy.*share, twice.energy.*share);
     EXPECT_NEAR(single.energy.*share, twice.energy.*share, 0.01) << name;
   }

@@ -47,9 +47,16 @@ inline std::vector<NamedKernels> kernels_here() {
 #endif
 }
 
-template <class Real> const Kernel<Real>& of(const NamedKernels& kernels);
-template <> inline const Kernel<float>& of(const NamedKernels& kernels) { return *kernels.single; }
-template <> inline const Kernel<double>& of(const NamedKernels& kernels) { return *kernels.twice; }
+template <class Real>
+const Kernel<Real>& of(const NamedKernels& kernels);
+template <>
+inline const Kernel<float>& of(const NamedKernels& kernels) {
+  return *kernels.single;
+}
+template <>
+inline const Kernel<double>& of(const NamedKernels& kernels) {
+  return *kernels.twice;
+}
 
 // Corners: inner upper, outer upper, outer lower, inner lower.
 inline constexpr int corner_column[4] = {0, 1, 1, 0}, corner_row[4] = {0, 0, 1, 1};
@@ -78,10 +85,13 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
       for (int a = 0; a < 4; ++a) {
         const long n = block.at(i + corner_column[a], j + corner_row[a]);
         const double ur = view.u_r[n], uz = view.u_z[n];
-        F.rr += along_r[a] * ur / w; F.rz += along_z[a] * ur / h;
-        F.zr += along_r[a] * uz / w; F.zz += along_z[a] * uz / h;
+        F.rr += along_r[a] * ur / w;
+        F.rz += along_z[a] * ur / h;
+        F.zr += along_r[a] * uz / w;
+        F.zz += along_z[a] * uz / h;
         F.hoop += ur / (4 * R);
-        mode_r += hourglass_mode[a] * ur; mode_z += hourglass_mode[a] * uz;
+        mode_r += hourglass_mode[a] * ur;
+        mode_z += hourglass_mode[a] * uz;
       }
       const auto s = scalar::stretches(F);
       const auto g = scalar::isochoric_powers(F, s, m.alpha);
@@ -89,7 +99,8 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
       const double J = s.jacobian, old = view.jacobian[block.at(i, j)];
       const double closing = previous_step > 0 ? std::max((old - J) / (J * previous_step), 0.0) : 0;
       const double length = std::sqrt(w * h * s.in_plane_jacobian);
-      const double damping = length * (m.linear_viscosity + m.quadratic_viscosity * length * closing), q = damping * closing;
+      const double damping = length * (m.linear_viscosity + m.quadratic_viscosity * length * closing),
+                   q = damping * closing;
       const auto P = scalar::first_piola(F, s, t, m.bulk / 2 * (J * J - 1) - q * J);
       const double stiffness = m.hourglass * m.mu / 12 * (h / w + w / h) * R;
       for (int a = 0; a < 4; ++a) {
@@ -99,9 +110,11 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
         forces.z[n] -= volume * (P.zr * nr + P.zz * nz) + stiffness * hourglass_mode[a] * mode_z;
       }
       forces.viscous_work += volume * 0.5 * (view.viscous_pressure[block.at(i, j)] + q) * (old - J);
-      const auto bound = scalar::step_bound(s, g, t, m.mu, m.bulk, 1 / (w * w), 1 / (h * h), (shape.at_axis ? scalar::axis_hoop_share : 1) / (4 * R * R));
+      const auto bound = scalar::step_bound(s, g, t, m.mu, m.bulk, 1 / (w * w), 1 / (h * h),
+                                            (shape.at_axis ? scalar::axis_hoop_share : 1) / (4 * R * R));
       const double drag = damping * J * bound.over_stretch;
-      forces.largest_inverse_step = std::max(forces.largest_inverse_step, std::sqrt(bound.stiffness + drag * drag) + drag);
+      forces.largest_inverse_step =
+          std::max(forces.largest_inverse_step, std::sqrt(bound.stiffness + drag * drag) + drag);
     }
   return forces;
 }
@@ -124,8 +137,15 @@ inline GradedMesh mesh_of(const Problem& p) {
 }
 
 inline MaterialConstants constants_of(const Problem& p) {
-  return {.mu = p.mu(), .bulk = p.bulk(), .alpha = p.alpha, .hourglass = p.hourglass, .linear_viscosity = 0.4, .quadratic_viscosity = 1.44,
-          .erosion_stretch = 1e9, .smallest_jacobian = 1e-3, .largest_inverse_step = 1e9};
+  return {.mu = p.mu(),
+          .bulk = p.bulk(),
+          .alpha = p.alpha,
+          .hourglass = p.hourglass,
+          .linear_viscosity = 0.4,
+          .quadratic_viscosity = 1.44,
+          .erosion_stretch = 1e9,
+          .smallest_jacobian = 1e-3,
+          .largest_inverse_step = 1e9};
 }
 
 // Displaces every node by up to `amount` row heights in each direction (the axis along itself only). The numbers drawn fit a
@@ -146,11 +166,13 @@ void displace(const Block<Real>& block, double amount, unsigned seed) {
 
 // Runs the kernel over the whole block.
 template <class Real>
-ColumnReport all_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block, const MaterialConstants& m, double previous_step) {
+ColumnReport all_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block, const MaterialConstants& m,
+                                 double previous_step) {
   std::vector<int> doomed(block.view().stride);
   ColumnReport report;
   for (int i = 0; i < block.mesh().columns(); ++i)
-    kernel.internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], m, previous_step, doomed.data(), report);
+    kernel.internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], m, previous_step, doomed.data(),
+                           report);
   return report;
 }
 

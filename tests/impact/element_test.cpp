@@ -19,7 +19,8 @@ struct Solid {
 Piola piola(const Solid& solid, const Gradient& F) {
   const auto s = scalar::stretches(F);
   const auto g = scalar::isochoric_powers(F, s, solid.alpha);
-  return scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * solid.mu / solid.alpha), solid.bulk / 2 * (s.jacobian * s.jacobian - 1));
+  return scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * solid.mu / solid.alpha),
+                             solid.bulk / 2 * (s.jacobian * s.jacobian - 1));
 }
 
 // lambda_i dW/dlambda_i from the definition of W: the isochoric part by the chain rule through J^(-1/3), the rest K/2 (J^2 - 1).
@@ -83,7 +84,8 @@ TEST(Element, ARotationTurnsTheStressAndChangesNothingElse) {
     const Gradient turned{c * F.rr - s * F.zr, c * F.rz - s * F.zz, s * F.rr + c * F.zr, s * F.rz + c * F.zz, F.hoop};
     const Solid solid{1, 50, 8.5};
     const Piola P = piola(solid, F), Q = piola(solid, turned);
-    const double size = 1e-11 * (std::abs(P.rr) + std::abs(P.zz) + std::abs(P.rz) + std::abs(P.zr) + std::abs(P.hoop) + 1);
+    const double size =
+        1e-11 * (std::abs(P.rr) + std::abs(P.zz) + std::abs(P.rz) + std::abs(P.zr) + std::abs(P.hoop) + 1);
     EXPECT_NEAR(Q.rr, c * P.rr - s * P.zr, size);
     EXPECT_NEAR(Q.rz, c * P.rz - s * P.zz, size);
     EXPECT_NEAR(Q.zr, s * P.rr + c * P.zr, size);
@@ -98,7 +100,8 @@ TEST(Element, SmallStrainsAreLinearElasticityWithKAndMu) {
   std::uniform_real_distribution<double> uniform(-1e-5, 1e-5);
   for (const double alpha : exponents)
     for (int k = 0; k < 50; ++k) {
-      const double rr = uniform(random), rz = uniform(random), zr = uniform(random), zz = uniform(random), hoop = uniform(random);
+      const double rr = uniform(random), rz = uniform(random), zr = uniform(random), zz = uniform(random),
+                   hoop = uniform(random);
       const Solid solid{3, 7, alpha};
       const Piola P = piola(solid, {1 + rr, rz, zr, 1 + zz, 1 + hoop});
       const double pressure_like = (solid.bulk - 2.0 / 3 * solid.mu) * (rr + zz + hoop), shear = solid.mu * (rz + zr);

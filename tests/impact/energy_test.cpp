@@ -33,7 +33,8 @@ TEST(Energy, TheErrorFallsAsTheSquareOfTheStep) {
   const double coarse = closure_at(dent(), 0.8), middle = closure_at(dent(), 0.4), fine = closure_at(dent(), 0.2);
   EXPECT_LT(middle, coarse);
   EXPECT_LT(fine, middle);
-  EXPECT_NEAR(slope(0.8, coarse, 0.2, fine), 2, 0.35);  // from one halving to the next it swings, with the step that contact begins in
+  EXPECT_NEAR(slope(0.8, coarse, 0.2, fine), 2,
+              0.35);  // from one halving to the next it swings, with the step that contact begins in
 }
 
 TEST(Energy, TheErrorFallsAsTheSquareUntilTheSphereStopsToo) {
@@ -93,7 +94,8 @@ TEST(Energy, SettingSClosesToTwoPercentAndStopsWhereItShould) {
 
 TEST(Energy, NoTermIsNegative) {
   const EnergyLedger e = run_impact(setting_s()).energy;
-  for (const double share : {e.particle, e.live_kinetic, e.freed_mass, e.elastic, e.hourglass, e.viscosity, e.eroded, e.contact, e.contact_dropped})
+  for (const double share : {e.particle, e.live_kinetic, e.freed_mass, e.elastic, e.hourglass, e.viscosity, e.eroded,
+                             e.contact, e.contact_dropped})
     EXPECT_GE(share, 0);
 }
 

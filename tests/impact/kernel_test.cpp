@@ -23,7 +23,8 @@ double largest_difference(const Block<Real>& block, const NodalForces& reference
   for (int i = 0; i <= block.mesh().columns(); ++i)
     for (int j = 0; j <= block.mesh().rows; ++j) {
       const long n = block.at(i, j);
-      worst = std::max({worst, std::abs(block.view().f_r[n] - reference.r[n]), std::abs(block.view().f_z[n] - reference.z[n])});
+      worst = std::max(
+          {worst, std::abs(block.view().f_r[n] - reference.r[n]), std::abs(block.view().f_z[n] - reference.z[n])});
     }
   return worst / largest(reference);
 }
@@ -40,9 +41,12 @@ void meets_the_scalar_code(double tolerance) {
           displace(block, 0.15, seed);
           const NodalForces reference = reference_forces(block, constants_of(problem), previous_step);
           const auto report = all_internal_forces(kernel, block, constants_of(problem), previous_step);
-          EXPECT_LT(largest_difference(block, reference), tolerance) << kernels.level << ", alpha " << alpha << ", seed " << seed;
-          EXPECT_NEAR(report.largest_inverse_step, reference.largest_inverse_step, 10 * tolerance * reference.largest_inverse_step);
-          EXPECT_NEAR(report.viscous_work, reference.viscous_work, 10 * tolerance * std::abs(reference.viscous_work)) << kernels.level;
+          EXPECT_LT(largest_difference(block, reference), tolerance)
+              << kernels.level << ", alpha " << alpha << ", seed " << seed;
+          EXPECT_NEAR(report.largest_inverse_step, reference.largest_inverse_step,
+                      10 * tolerance * reference.largest_inverse_step);
+          EXPECT_NEAR(report.viscous_work, reference.viscous_work, 10 * tolerance * std::abs(reference.viscous_work))
+              << kernels.level;
           EXPECT_EQ(report.viscous_work != 0, previous_step > 0);
         }
 }
@@ -50,7 +54,9 @@ void meets_the_scalar_code(double tolerance) {
 TEST(Kernel, EveryLevelInDoubleMeetsTheScalarElementCode) { meets_the_scalar_code<double>(1e-12); }
 
 // Twenty single roundings; the largest force belongs to an element with J well off 1, the rest are smaller.
-TEST(Kernel, EveryLevelInSingleMeetsTheScalarElementCodeWithinFloatAccuracy) { meets_the_scalar_code<float>(20 * 0x1p-23); }
+TEST(Kernel, EveryLevelInSingleMeetsTheScalarElementCodeWithinFloatAccuracy) {
+  meets_the_scalar_code<float>(20 * 0x1p-23);
+}
 
 TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
   for (const double alpha : {-6.0, 2.0, 8.5, 20.0}) {
@@ -81,7 +87,8 @@ TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
           u[n] = at - step;
           const double below = energy();
           u[n] = at;
-          EXPECT_NEAR(f[n], -(above - below) / (2 * step), 1e-7 * size) << "alpha " << alpha << ", node " << i << ", " << j;
+          EXPECT_NEAR(f[n], -(above - below) / (2 * step), 1e-7 * size)
+              << "alpha " << alpha << ", node " << i << ", " << j;
         }
   }
 }
@@ -133,7 +140,8 @@ TEST(Kernel, ElementsBeyondTheErosionStretchAreListedAndPullNoMore) {
     std::vector<int> doomed(block.view().stride);
     for (int i = 0; i < block.mesh().columns(); ++i) {
       ColumnReport report;
-      kernels.twice->internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], material, 0, doomed.data(), report);
+      kernels.twice->internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], material, 0, doomed.data(),
+                                     report);
       ASSERT_EQ(report.doomed, 1) << kernels.level;
       EXPECT_EQ(doomed[0], 20) << kernels.level;
       block.take_out(i, 20, [](int, int) {});
@@ -141,7 +149,8 @@ TEST(Kernel, ElementsBeyondTheErosionStretchAreListedAndPullNoMore) {
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (const int j : {20, 21}) EXPECT_NEAR(block.view().f_z[block.at(i, j)], 0, 1e-11) << kernels.level;
     ColumnReport again;
-    kernels.twice->internal_forces(block.view(), 0, block.mesh().rows, block.shapes()[0], material, 0, doomed.data(), again);
+    kernels.twice->internal_forces(block.view(), 0, block.mesh().rows, block.shapes()[0], material, 0, doomed.data(),
+                                   again);
     EXPECT_EQ(again.doomed, 0) << "what is gone is not listed twice";
   }
 }
@@ -170,7 +179,8 @@ TEST(Kernel, ContactPushesAlongTheRadiusAndTheSphereFeelsTheSame) {
     SphereReport report;
     double sum = 0, energy = 0, deepest = 0;
     for (int i = 0; i <= block.mesh().columns(); ++i) {
-      kernels.twice->sphere_contact(view, i, block.mesh().radius[i], block.mesh().row_height, 0, block.mesh().rows + 1, centre, report);
+      kernels.twice->sphere_contact(view, i, block.mesh().radius[i], block.mesh().row_height, 0, block.mesh().rows + 1,
+                                    centre, report);
       for (int j = 0; j <= block.mesh().rows; ++j) {
         const double r = block.mesh().radius[i], z = j * block.mesh().row_height - centre, distance = std::hypot(r, z);
         const double gap = std::max(0.0, 1 - distance), k = 3 * block.mass(i, j);

@@ -236,7 +236,8 @@ TEST(History, StartsAtTheImpactSpeedAndEndsAtTheDepth) {
 TEST(History, KeepsEvenlySpacedPointsHoweverLongTheRun) {
   for (const int steps : {50, 399, 1000, 123456}) {
     Recorder<History> recorder(History{.samples = 100});
-    for (int step = 0; step < steps; ++step) recorder.record({.time = static_cast<double>(step), .tip = 0, .speed = 0, .force = 0});
+    for (int step = 0; step < steps; ++step)
+      recorder.record({.time = static_cast<double>(step), .tip = 0, .speed = 0, .force = 0});
     const auto points = recorder.take();
     EXPECT_GE(points.size(), static_cast<std::size_t>(std::min(steps, 100)));
     EXPECT_LE(points.size(), 200u);
@@ -253,12 +254,14 @@ TEST(History, TheForcesImpulseIsTheSpeedLost) {
   const ImpactResult result = run_impact(p);
   double impulse = 0;
   for (std::size_t k = 1; k < result.history.size(); ++k)
-    impulse += 0.5 * (result.history[k].force + result.history[k - 1].force) * (result.history[k].time - result.history[k - 1].time);
+    impulse += 0.5 * (result.history[k].force + result.history[k - 1].force) *
+               (result.history[k].time - result.history[k - 1].time);
   EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 1e-3 * impulse);
 }
 
 TEST(Outcome, HasAWordThatReadsBack) {
-  for (const Outcome outcome : {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::supersonic, Outcome::unstable})
+  for (const Outcome outcome :
+       {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::supersonic, Outcome::unstable})
     EXPECT_EQ(outcome_from(word(outcome)), outcome);
   EXPECT_EQ(word(Outcome::passed_through), "passed through");
   EXPECT_THROW(outcome_from("fine"), std::invalid_argument);

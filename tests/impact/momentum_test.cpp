@@ -36,7 +36,8 @@ TEST(March, RowsAtRestAndTheContactSearchLeaveNothingOutThatMatters) {
   EXPECT_EQ(real.outcome, Outcome::time_up);
   EXPECT_NEAR(real.end_speed, plain.sphere().speed, 1e-6);
   EXPECT_NEAR(real.depth, plain.sphere().tip, 1e-6);
-  EXPECT_LT(real.element_steps, 0.7 * static_cast<double>(real.elements * real.steps)) << "a good part of the work is left out";
+  EXPECT_LT(real.element_steps, 0.7 * static_cast<double>(real.elements * real.steps))
+      << "a good part of the work is left out";
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ class PlainMarch {
       : problem_(problem),
         reference_step_(undeformed_step(reference_bulk_ratio * problem.mu())),
         first_step_(undeformed_step(problem.bulk())),
-        block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_), kernel<double>().lanes) {
+        block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
+               kernel<double>().lanes) {
     material_ = constants_of(problem);
     material_.linear_viscosity = problem.linear_viscosity * std::sqrt(problem.bulk() + 4.0 / 3 * problem.mu());
     material_.quadratic_viscosity = problem.quadratic_viscosity * problem.quadratic_viscosity;
@@ -31,14 +32,16 @@ class PlainMarch {
       const auto forces = all_internal_forces(kernel<double>(), block_, material_, last);
       SphereReport contact;
       for (int i = 0; i <= mesh.columns(); ++i)
-        kernel<double>().sphere_contact(block_.view(), i, mesh.radius[i], mesh.row_height, 0, mesh.rows + 1, sphere_.centre(), contact);
+        kernel<double>().sphere_contact(block_.view(), i, mesh.radius[i], mesh.row_height, 0, mesh.rows + 1,
+                                        sphere_.centre(), contact);
       const bool done = time >= problem_.end_time;
       double step = problem_.time_step_factor / std::max(forces.largest_inverse_step, 1 / first_step_);
       const double of_contact = 2 * reference_step_ / std::sqrt(problem_.contact_stiffness);
       step /= std::sqrt(1 + step * step / (of_contact * of_contact));
       if (last > 0) step = std::min(step, step_growth * last);
       const double kick = 0.5 * (last + (done ? 0 : step)), drift = done ? 0 : step;
-      for (int i = 0; i < mesh.columns(); ++i) kernel<double>().kick_and_drift(block_.view(), i, mesh.rows, kick, drift);
+      for (int i = 0; i < mesh.columns(); ++i)
+        kernel<double>().kick_and_drift(block_.view(), i, mesh.rows, kick, drift);
       sphere_.speed -= contact.force / sphere_.mass * kick;
       sphere_.tip += sphere_.speed * drift;
       if (done) return;

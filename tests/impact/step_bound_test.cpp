@@ -15,7 +15,8 @@ namespace {
 
 using State = Eigen::Matrix<double, 5, 1>;  // F_rr, F_rz, F_zr, F_zz, hoop stretch
 
-constexpr double along_r[4] = {-0.5, 0.5, 0.5, -0.5}, along_z[4] = {-0.5, -0.5, 0.5, 0.5}, hourglass_mode[4] = {1, -1, 1, -1};
+constexpr double along_r[4] = {-0.5, 0.5, 0.5, -0.5}, along_z[4] = {-0.5, -0.5, 0.5, 0.5},
+                 hourglass_mode[4] = {1, -1, 1, -1};
 
 struct Solid {
   double mu = 1, bulk = 50, alpha = 8.5, hourglass = 0.5;
@@ -56,7 +57,8 @@ Eigen::Matrix<double, 8, 8> stiffness(const State& at, const Solid& solid, const
     strain(4, 2 * a) = 1 / (4 * shape.radius);
     modes(2 * a, 0) = modes(2 * a + 1, 1) = hourglass_mode[a];
   }
-  const double spring = solid.hourglass * solid.mu / 12 * (shape.height / shape.width + shape.width / shape.height) * shape.radius;
+  const double spring =
+      solid.hourglass * solid.mu / 12 * (shape.height / shape.width + shape.width / shape.height) * shape.radius;
   return shape.radius * shape.width * shape.height * strain.transpose() * (tangent + tangent.transpose()) / 2 * strain +
          spring * modes * modes.transpose();
 }
@@ -67,8 +69,10 @@ double bound(const State& at, const Solid& solid, const Shape& shape, bool at_ax
   const auto s = scalar::stretches(F);
   const auto g = scalar::isochoric_powers(F, s, solid.alpha);
   const auto t = scalar::isochoric_stress(g, 2 * solid.mu / solid.alpha);
-  return scalar::step_bound(s, g, t, solid.mu, solid.bulk, 1 / (shape.width * shape.width), 1 / (shape.height * shape.height),
-                            (at_axis ? scalar::axis_hoop_share : 1) / (4 * shape.radius * shape.radius)).stiffness;
+  return scalar::step_bound(s, g, t, solid.mu, solid.bulk, 1 / (shape.width * shape.width),
+                            1 / (shape.height * shape.height),
+                            (at_axis ? scalar::axis_hoop_share : 1) / (4 * shape.radius * shape.radius))
+      .stiffness;
 }
 
 // All three stretches between these.
@@ -175,7 +179,7 @@ double worst_of_the_axis_pair(double alpha, double aspect) {
     if (!G) continue;
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(12, 12);
     Eigen::VectorXd mass = Eigen::VectorXd::Zero(12);
-    const auto add = [&](const Eigen::MatrixXd& element, const Shape& shape, const int (&nodes)[4]) {
+    const auto add = [&](const Eigen::MatrixXd& element, const Shape& shape, const int(&nodes)[4]) {
       for (int a = 0; a < 8; ++a) {
         const int row = 2 * nodes[a / 2] + a % 2;
         mass[row] += shape.corner_mass();
@@ -190,7 +194,8 @@ double worst_of_the_axis_pair(double alpha, double aspect) {
     }
     const Eigen::VectorXd per_root_mass = mass.cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd scaled = per_root_mass.asDiagonal() * K * per_root_mass.asDiagonal();
-    worst = std::max(worst, step_over_true(largest_eigenvalue(scaled), std::max(bound(F, solid, first, true), bound(*G, solid, second, false))));
+    worst = std::max(worst, step_over_true(largest_eigenvalue(scaled),
+                                           std::max(bound(F, solid, first, true), bound(*G, solid, second, false))));
   }
   return worst;
 }

@@ -10,7 +10,7 @@
 namespace percal {
 namespace {
 
-constexpr double root = 2.3;   // ln modulus at which the depth is the target
+constexpr double root = 2.3;  // ln modulus at which the depth is the target
 constexpr double target = 26;
 
 DepthAnswer deep(double depth) { return {.depth = depth, .censored = false, .valid = true, .why = ""}; }
@@ -114,9 +114,7 @@ TEST(Inversion, AnAnswerThatIsNotValidEndsItWithTheReason) {
   EXPECT_EQ(found.why, "unstable: the time step collapsed");
   // A failure while Brent's method (C code) is at work ends it in the same way.
   int calls = 0;
-  const DepthOfModulus late = [&](double x) {
-    return ++calls == 4 ? no_answer("the fourth") : power_law(0.6)(x);
-  };
+  const DepthOfModulus late = [&](double x) { return ++calls == 4 ? no_answer("the fourth") : power_law(0.6)(x); };
   EXPECT_EQ(invert_modulus(late, from(root + 0.9)).why, "the fourth");
 }
 
@@ -129,7 +127,10 @@ TEST(Inversion, ADepthOfZeroOrNanIsNotAnAnswer) {
 
 TEST(Inversion, StopsAtTheNumberOfEvaluationsItMayUse) {
   int calls = 0;
-  const DepthOfModulus counted = [&](double x) { ++calls; return power_law(0.6)(x); };
+  const DepthOfModulus counted = [&](double x) {
+    ++calls;
+    return power_law(0.6)(x);
+  };
   InversionOptions options = from(root - 5);
   options.most_evaluations = 3;
   const Inversion found = invert_modulus(counted, options);
@@ -140,7 +141,10 @@ TEST(Inversion, StopsAtTheNumberOfEvaluationsItMayUse) {
 
 TEST(Inversion, KeepsEveryAnswerInItsOrder) {
   std::vector<double> asked;
-  const DepthOfModulus forward = [&](double x) { asked.push_back(x); return power_law(0.6)(x); };
+  const DepthOfModulus forward = [&](double x) {
+    asked.push_back(x);
+    return power_law(0.6)(x);
+  };
   const Inversion found = invert_modulus(forward, from(root + 1.3));
   ASSERT_EQ(found.points.size(), asked.size());
   for (std::size_t k = 0; k < asked.size(); ++k) EXPECT_EQ(found.points[k].log_modulus, asked[k]);

@@ -22,7 +22,8 @@ TEST(GradedMesh, ColumnsGrowByOneFactorFromTheLastFineOneToTheWall) {
     ASSERT_EQ(mesh.columns(), 10 + graded);
     const double factor = width_of(mesh, 10) / width_of(mesh, 9);
     for (int i = 10; i < mesh.columns(); ++i)
-      EXPECT_NEAR(width_of(mesh, i) / width_of(mesh, i - 1), factor, 1e-11) << graded << " graded columns, column " << i;
+      EXPECT_NEAR(width_of(mesh, i) / width_of(mesh, i - 1), factor, 1e-11)
+          << graded << " graded columns, column " << i;
   }
 }
 

@@ -27,8 +27,15 @@ Evaluation awkward() {
   r.smallest_jacobian = std::nextafter(1.0, 0);
   r.smallest_step = 5e-324;
   r.largest_gap = 1e300 / 7;
-  r.energy = {.particle = 1 / 3.0, .live_kinetic = 1 / 7.0, .freed_mass = 1 / 11.0, .elastic = 1 / 13.0, .hourglass = 1 / 17.0,
-              .viscosity = 1 / 19.0, .eroded = 1 / 23.0, .contact = 1 / 29.0, .contact_dropped = 1 / 31.0};
+  r.energy = {.particle = 1 / 3.0,
+              .live_kinetic = 1 / 7.0,
+              .freed_mass = 1 / 11.0,
+              .elastic = 1 / 13.0,
+              .hourglass = 1 / 17.0,
+              .viscosity = 1 / 19.0,
+              .eroded = 1 / 23.0,
+              .contact = 1 / 29.0,
+              .contact_dropped = 1 / 31.0};
   run.instruction_level = "x86_64_v3";
   run.wall_seconds = 0.1;
   run.cpu_seconds = 1 / 9.0;
@@ -44,12 +51,13 @@ TEST(Payload, ComesBackToTheLastBit) {
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.eroded, b.eroded);
   EXPECT_EQ(a.distorted, b.distorted);
-  for (double ImpactResult::*number : {&ImpactResult::depth, &ImpactResult::end_time, &ImpactResult::end_speed, &ImpactResult::element_steps,
-                                       &ImpactResult::smallest_jacobian, &ImpactResult::smallest_step, &ImpactResult::largest_gap})
+  for (double ImpactResult::*number :
+       {&ImpactResult::depth, &ImpactResult::end_time, &ImpactResult::end_speed, &ImpactResult::element_steps,
+        &ImpactResult::smallest_jacobian, &ImpactResult::smallest_step, &ImpactResult::largest_gap})
     EXPECT_EQ(a.*number, b.*number);
-  for (double EnergyLedger::*share : {&EnergyLedger::particle, &EnergyLedger::live_kinetic, &EnergyLedger::freed_mass, &EnergyLedger::elastic,
-                                      &EnergyLedger::hourglass, &EnergyLedger::viscosity, &EnergyLedger::eroded, &EnergyLedger::contact,
-                                      &EnergyLedger::contact_dropped})
+  for (double EnergyLedger::*share : {&EnergyLedger::particle, &EnergyLedger::live_kinetic, &EnergyLedger::freed_mass,
+                                      &EnergyLedger::elastic, &EnergyLedger::hourglass, &EnergyLedger::viscosity,
+                                      &EnergyLedger::eroded, &EnergyLedger::contact, &EnergyLedger::contact_dropped})
     EXPECT_EQ(a.energy.*share, b.energy.*share);
   EXPECT_EQ(before.instruction_level, after.instruction_level);
   EXPECT_EQ(before.cpu_seconds, after.cpu_seconds);
@@ -59,7 +67,8 @@ TEST(Payload, ComesBackToTheLastBit) {
 }
 
 TEST(Payload, EveryOutcomeAndReasonComesBack) {
-  for (const Outcome outcome : {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::supersonic, Outcome::unstable}) {
+  for (const Outcome outcome :
+       {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::supersonic, Outcome::unstable}) {
     Evaluation run = awkward();
     run.result.outcome = outcome;
     run.result.reason = "a \"force\" is\nnot finite";
@@ -87,8 +96,8 @@ TEST(Payload, WhatIsNoPayloadIsRefused) {
   std::string wrong_kind = to_payload(awkward());
   wrong_kind.replace(wrong_kind.find("\"elements\":204750"), 17, "\"elements\":\"many\"");
   const std::string good = to_payload(awkward());
-  for (const std::string& text : {std::string(), std::string("{}"), std::string("garbage"), std::string("[1, 2]"), std::string("null"),
-                                  good.substr(0, good.size() / 2), misspelt, wrong_kind})
+  for (const std::string& text : {std::string(), std::string("{}"), std::string("garbage"), std::string("[1, 2]"),
+                                  std::string("null"), good.substr(0, good.size() / 2), misspelt, wrong_kind})
     EXPECT_THROW(from_payload(text), std::invalid_argument) << text;
 }
 

@@ -68,7 +68,8 @@ depth = "0.075 mm"
 width = "5000 nm"
 [target.erosion]
 strain = 0.7
-)", "other.toml");
+)",
+                                  "other.toml");
   EXPECT_EQ(key(other), key(skin_scene()));
 }
 
@@ -114,7 +115,8 @@ TEST(Reduce, EveryNumberOfTheProblemHasTwelveDigits) {
   scene.target.alpha = 25.0 / 3;
   scene.mesh.fine_width = 4.0 / 3;
   const Problem p = reduce(scene).problem;
-  for (const double number : {p.pi4, p.density_ratio, p.alpha, p.bulk_ratio, p.depth, p.width, p.fine_width, p.end_time})
+  for (const double number :
+       {p.pi4, p.density_ratio, p.alpha, p.bulk_ratio, p.depth, p.width, p.fine_width, p.end_time})
     EXPECT_EQ(number, round_to_12_digits(number));
 }
 
@@ -219,9 +221,9 @@ TEST(EvaluationKey, EveryNumberThatDecidesTheResultChangesIt) {
   const Problem problem = reduce(skin_scene()).problem;
   const std::string before = evaluation_key(problem, "level");
   for (double Problem::*number :
-       {&Problem::pi4, &Problem::density_ratio, &Problem::alpha, &Problem::bulk_ratio, &Problem::depth, &Problem::width, &Problem::fine_width,
-        &Problem::contact_stiffness, &Problem::hourglass, &Problem::linear_viscosity, &Problem::quadratic_viscosity,
-        &Problem::time_step_factor, &Problem::end_time, &Problem::speed_factor}) {
+       {&Problem::pi4, &Problem::density_ratio, &Problem::alpha, &Problem::bulk_ratio, &Problem::depth, &Problem::width,
+        &Problem::fine_width, &Problem::contact_stiffness, &Problem::hourglass, &Problem::linear_viscosity,
+        &Problem::quadratic_viscosity, &Problem::time_step_factor, &Problem::end_time, &Problem::speed_factor}) {
     Problem other = problem;
     other.*number *= 1 + 1e-9;
     EXPECT_NE(evaluation_key(other, "level"), before);

@@ -42,7 +42,8 @@ void Progress::draw() {
   const long left = share > 0 ? static_cast<long>(elapsed * (1 - share) / share + 0.5) : 0;
   std::string bar(bar_width, '.');
   std::fill_n(bar.begin(), static_cast<int>(share * bar_width), '#');
-  std::fprintf(stderr, "\r\033[K%s  %ld/%ld  %s  %ld:%02ld left", label_.c_str(), done_, total_, bar.c_str(), left / 60, left % 60);
+  std::fprintf(stderr, "\r\033[K%s  %ld/%ld  %s  %ld:%02ld left", label_.c_str(), done_, total_, bar.c_str(), left / 60,
+               left % 60);
   std::fflush(stderr);
 }
 

@@ -79,7 +79,8 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
   std::vector<std::size_t> stands_for(problems.size()), distinct;
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const char* history = std::holds_alternative<NoHistory>(problems[i].history) ? "" : " history";
-    const auto [place, is_new] = first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()) + history, i);
+    const auto [place, is_new] =
+        first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()) + history, i);
     stands_for[i] = place->second;
     if (is_new) distinct.push_back(i);
   }
@@ -96,7 +97,8 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
   return results;
 }
 
-std::vector<std::vector<Evaluation>> Campaign::replicate(const std::vector<Problem>& problems, int replicates, Progress* progress) {
+std::vector<std::vector<Evaluation>> Campaign::replicate(const std::vector<Problem>& problems, int replicates,
+                                                         Progress* progress) {
   std::vector<Problem> all;
   for (const Problem& problem : problems)
     for (int k = 0; k < replicates; ++k) {

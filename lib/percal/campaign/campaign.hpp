@@ -13,8 +13,8 @@
 namespace percal {
 
 struct CampaignCost {
-  long runs = 0;         // done here
-  long reused = 0;       // taken from the store
+  long runs = 0;           // done here
+  long reused = 0;         // taken from the store
   double cpu_seconds = 0;  // of the runs done here
 };
 
@@ -31,7 +31,8 @@ class Campaign {
   std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress);
 
   // The replicates of each problem: results[i] belongs to problems[i].
-  std::vector<std::vector<Evaluation>> replicate(const std::vector<Problem>& problems, int replicates, Progress* progress);
+  std::vector<std::vector<Evaluation>> replicate(const std::vector<Problem>& problems, int replicates,
+                                                 Progress* progress);
 
   // work(0) ... work(count - 1), each on one of the threads. The first exception ends the rest and is thrown here.
   void side_by_side(int count, const std::function<void(int)>& work) const;

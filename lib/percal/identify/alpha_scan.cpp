@@ -30,16 +30,26 @@ AlphaFinding choose_alpha(const std::vector<AlphaTrial>& trials, int pairs) {
       if (trial.pair == pair) {
         low = std::min(low, trial.alpha);
         high = std::max(high, trial.alpha);
-        if (trial.usable) { x.push_back(trial.alpha); y.push_back(trial.log_misfit); }
+        if (trial.usable) {
+          x.push_back(trial.alpha);
+          y.push_back(trial.log_misfit);
+        }
       }
     if (x.size() >= 2) lines.push_back(linear_trend(x, y));
   }
-  if (lines.empty()) throw BadInput("alpha: no pair of the target gave a depth at two candidates; the scan cannot decide");
+  if (lines.empty())
+    throw BadInput("alpha: no pair of the target gave a depth at two candidates; the scan cannot decide");
   std::vector<Score> scores;
   for (int k = 0; low + k * alpha_step <= high + 1e-9; ++k) scores.push_back(score_at(low + k * alpha_step, lines));
-  const Score best = *std::min_element(scores.begin(), scores.end(), [](const Score& a, const Score& b) { return a.mean < b.mean; });
-  AlphaFinding finding{.alpha = best.alpha, .best = best.alpha, .best_score = best.mean, .score_error = best.error,
-                       .score = best.mean, .lowest = best.alpha, .highest = best.alpha,
+  const Score best =
+      *std::min_element(scores.begin(), scores.end(), [](const Score& a, const Score& b) { return a.mean < b.mean; });
+  AlphaFinding finding{.alpha = best.alpha,
+                       .best = best.alpha,
+                       .best_score = best.mean,
+                       .score_error = best.error,
+                       .score = best.mean,
+                       .lowest = best.alpha,
+                       .highest = best.alpha,
                        .at_edge = best.alpha == scores.front().alpha || best.alpha == scores.back().alpha};
   for (const Score& score : scores) {
     if (score.mean > best.mean + best.error) continue;

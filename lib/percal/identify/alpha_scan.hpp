@@ -15,13 +15,13 @@ struct AlphaTrial {
 };
 
 struct AlphaFinding {
-  double alpha = 0;           // the chosen one
-  double best = 0;            // where the score is least
-  double best_score = 0;      // mean |depth/target - 1| over the pairs, of the smoothed depths
-  double score_error = 0;     // standard error of that mean
-  double score = 0;           // of the chosen alpha
+  double alpha = 0;                // the chosen one
+  double best = 0;                 // where the score is least
+  double best_score = 0;           // mean |depth/target - 1| over the pairs, of the smoothed depths
+  double score_error = 0;          // standard error of that mean
+  double score = 0;                // of the chosen alpha
   double lowest = 0, highest = 0;  // the alphas whose score is within one standard error of the best
-  bool at_edge = false;       // the best alpha is the first or last candidate: the scan should go further
+  bool at_edge = false;            // the best alpha is the first or last candidate: the scan should go further
 };
 
 // Smooths each pair's ln depth by a line in alpha (the trials' noise is larger than the curvature over a scan), scores every

@@ -23,18 +23,18 @@ struct GelatinFinding {
 
 // The model system that is similar to the calibration impact, and the formulation that comes closest to it.
 struct SimilarityFinding {
-  System prototype, model;    // completed
-  double modulus_ratio = 0;   // model over prototype
-  double penetration = 0;     // m, that the model system should have
-  int formulation = 0;        // index of the one whose measured depth is nearest
-  double mismatch = 0;        // its depth over that, less 1
+  System prototype, model;   // completed
+  double modulus_ratio = 0;  // model over prototype
+  double penetration = 0;    // m, that the model system should have
+  int formulation = 0;       // index of the one whose measured depth is nearest
+  double mismatch = 0;       // its depth over that, less 1
 };
 
 struct TissueFinding {
-  double mu = 0;                          // Pa, high rate, as given
-  std::optional<StrainOnRidge> erosion;   // not there where the ridge does not reach this modulus
-  double mu_quasi_static = 0;             // Pa, as given
-  double youngs_quasi_static = 0;         // Pa, 3 mu
+  double mu = 0;                         // Pa, high rate, as given
+  std::optional<StrainOnRidge> erosion;  // not there where the ridge does not reach this modulus
+  double mu_quasi_static = 0;            // Pa, as given
+  double youngs_quasi_static = 0;        // Pa, 3 mu
 };
 
 struct PredictionResult {
@@ -50,13 +50,13 @@ struct Identification {
   std::vector<RidgePoint> ridge;
   SimilarityFinding similarity;
   TissueFinding tissue;
-  std::optional<Shooting> model_check;     // not there without an erosion strain
-  std::vector<Shooting> mesh_study;        // as job.mesh_study
+  std::optional<Shooting> model_check;  // not there without an erosion strain
+  std::vector<Shooting> mesh_study;     // as job.mesh_study
   std::vector<PredictionResult> predictions;
   std::optional<CardMaterial> card;
-  std::vector<ComparisonTable> steps;      // one for each step of the chain, in order
-  std::vector<ComparisonTable> tables;     // published tables recomputed
-  std::vector<std::string> findings;       // what a reader must know, in sentences
+  std::vector<ComparisonTable> steps;   // one for each step of the chain, in order
+  std::vector<ComparisonTable> tables;  // published tables recomputed
+  std::vector<std::string> findings;    // what a reader must know, in sentences
 
   // Every step of the chain could be taken.
   bool complete() const { return tissue.erosion.has_value(); }

@@ -21,8 +21,9 @@ GelatinFinding find_law(const ModelMaterial& gelatin) {
   finding.law = gelatin.exponent ? fit_gelatin_law(concentration, modulus, *gelatin.exponent, Misfit::absolute)
                                  : fit_gelatin_law(concentration, modulus, Misfit::absolute);
   for (const Formulation& f : gelatin.formulations)
-    finding.high_rate.push_back(f.measured && f.mu_high_rate ? *f.mu_high_rate
-                                                             : high_rate_modulus(finding.law.at(f.concentration), gelatin.rate_factor));
+    finding.high_rate.push_back(f.measured && f.mu_high_rate
+                                    ? *f.mu_high_rate
+                                    : high_rate_modulus(finding.law.at(f.concentration), gelatin.rate_factor));
   return finding;
 }
 
@@ -68,8 +69,9 @@ TissueFinding find_tissue(const IdentifyJob& job, const Identification& so_far) 
 }
 
 Shooting check_model_system(Campaign& campaign, const IdentifyJob& job, const Identification& found) {
-  const TargetMaterial target{*found.similarity.model.target_density, found.gelatin.high_rate[found.similarity.formulation],
-                              found.alpha, found.tissue.erosion->strain};
+  const TargetMaterial target{*found.similarity.model.target_density,
+                              found.gelatin.high_rate[found.similarity.formulation], found.alpha,
+                              found.tissue.erosion->strain};
   const Scene scene = impact_scene(job, job.model, target, job.volumetric, job.check_elements_per_radius);
   return shoot(campaign, {scene}, job.check_replicates, "model check").front();
 }
@@ -78,7 +80,8 @@ Shooting check_model_system(Campaign& campaign, const IdentifyJob& job, const Id
 std::vector<Shooting> study_mesh(Campaign& campaign, const IdentifyJob& job, const Identification& found) {
   const TargetMaterial target{job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain};
   std::vector<Scene> scenes;
-  for (const int elements : job.mesh_study) scenes.push_back(impact_scene(job, job.calibration, target, job.volumetric, elements));
+  for (const int elements : job.mesh_study)
+    scenes.push_back(impact_scene(job, job.calibration, target, job.volumetric, elements));
   return shoot(campaign, scenes, job.check_replicates, "mesh study");
 }
 
@@ -92,22 +95,30 @@ std::optional<TargetMaterial> material_of(const PredictionSet& set, const Identi
   }
   if (!found.tissue.erosion) return std::nullopt;
   target.erosion_strain = found.tissue.erosion->strain;
-  target.mu = std::holds_alternative<IdentifiedTissue>(set.material) ? found.tissue.mu
-                                                                     : found.gelatin.high_rate[found.similarity.formulation];
+  target.mu = std::holds_alternative<IdentifiedTissue>(set.material)
+                  ? found.tissue.mu
+                  : found.gelatin.high_rate[found.similarity.formulation];
   return target;
 }
 
-std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& job, const PredictionSet& set, const Identification& found) {
+std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& job, const PredictionSet& set,
+                                        const Identification& found) {
   const auto target = material_of(set, found);
   if (!target) return std::nullopt;
   std::vector<Scene> scenes;
   for (const PredictedShot& shot : set.shots) {
-    const SphereScene sphere{.name = shot.particle, .radius = shot.radius, .density = shot.density, .speed = shot.speed, .youngs_modulus = {}};
+    const SphereScene sphere{.name = shot.particle,
+                             .radius = shot.radius,
+                             .density = shot.density,
+                             .speed = shot.speed,
+                             .youngs_modulus = {}};
     scenes.push_back(impact_scene(job, sphere, *target, set.volumetric, set.elements_per_radius));
   }
-  PredictionResult result{.set = &set, .shots = shoot(campaign, scenes, set.replicates, set.system.c_str()),
-                          .mean_deviation_from_measured = {}, .mean_deviation_from_reference = {}};
-  const auto mean_deviation = [&](std::optional<double> PredictedShot::* other) -> std::optional<double> {
+  PredictionResult result{.set = &set,
+                          .shots = shoot(campaign, scenes, set.replicates, set.system.c_str()),
+                          .mean_deviation_from_measured = {},
+                          .mean_deviation_from_reference = {}};
+  const auto mean_deviation = [&](std::optional<double> PredictedShot::*other) -> std::optional<double> {
     std::vector<double> computed, published;
     for (std::size_t i = 0; i < set.shots.size(); ++i)
       if (set.shots[i].*other && result.shots[i].penetration.depth) {
@@ -123,19 +134,27 @@ std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& j
 
 CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
   const double mu_true = true_modulus(found.tissue.mu, found.alpha, job.convention);
-  const Scene calibration = impact_scene(job, job.calibration, {job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain},
-                                         job.volumetric, job.ridge.elements_per_radius);
-  CardMaterial card{.name = job.card_name, .density = job.tissue.density, .mu_true = mu_true, .alpha = found.alpha,
+  const Scene calibration = impact_scene(
+      job, job.calibration, {job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain},
+      job.volumetric, job.ridge.elements_per_radius);
+  CardMaterial card{.name = job.card_name,
+                    .density = job.tissue.density,
+                    .mu_true = mu_true,
+                    .alpha = found.alpha,
                     .bulk_modulus = reduce(calibration).bulk_modulus,
-                    .erosion = CardErosion{found.tissue.erosion->strain, job.measure}, .comments = job.card_comments};
+                    .erosion = CardErosion{found.tissue.erosion->strain, job.measure},
+                    .comments = job.card_comments};
   card.comments.push_back("identified by percal from " + job.title);
-  if (found.alpha_scan) card.comments.push_back(fmt::format("alpha is fitted, and no better known than {:.2f} to {:.2f}", found.alpha_scan->lowest, found.alpha_scan->highest));
+  if (found.alpha_scan)
+    card.comments.push_back(fmt::format("alpha is fitted, and no better known than {:.2f} to {:.2f}",
+                                        found.alpha_scan->lowest, found.alpha_scan->highest));
   return card;
 }
 
 }  // namespace
 
-Identification identify(const IdentifyJob& job, Campaign& campaign, const std::function<void(const ComparisonTable&)>& announce) {
+Identification identify(const IdentifyJob& job, Campaign& campaign,
+                        const std::function<void(const ComparisonTable&)>& announce) {
   Identification found;
   const auto finish = [&](ComparisonTable table) {
     if (announce) announce(table);

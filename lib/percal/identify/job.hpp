@@ -14,20 +14,20 @@ namespace percal {
 
 // A model material of one concentration, with its measured penetration by the model's ball.
 struct Formulation {
-  double concentration = 0;             // wt%
-  double mu_quasi_static = 0;           // Pa, as given
-  std::optional<double> mu_high_rate;   // Pa, as given, as the table has it
-  double penetration = 0;               // m, mean of the shots
-  std::optional<double> penetration_sd; // m, of single shots
-  bool measured = true;                 // its modulus comes from a curve: it counts for the law
+  double concentration = 0;              // wt%
+  double mu_quasi_static = 0;            // Pa, as given
+  std::optional<double> mu_high_rate;    // Pa, as given, as the table has it
+  double penetration = 0;                // m, mean of the shots
+  std::optional<double> penetration_sd;  // m, of single shots
+  bool measured = true;                  // its modulus comes from a curve: it counts for the law
 };
 
 struct ModelMaterial {
   std::string name;
-  double density = 0;                   // kg/m3
-  double rate_factor = 1;               // high-rate over quasi-static modulus
-  std::optional<double> exponent;       // of mu = k c^n; left out: fitted
-  std::string table;                    // what the published table of formulations is called
+  double density = 0;              // kg/m3
+  double rate_factor = 1;          // high-rate over quasi-static modulus
+  std::optional<double> exponent;  // of mu = k c^n; left out: fitted
+  std::string table;               // what the published table of formulations is called
   std::vector<Formulation> formulations;
 };
 
@@ -50,7 +50,9 @@ struct RidgePair {
   std::optional<double> mu_model;  // Pa, the same pair in the model system, as the table has it
 };
 
-struct AlphaGiven { double alpha; };
+struct AlphaGiven {
+  double alpha;
+};
 // The least alpha whose depths at the target's pairs are, within one standard error, as close to the measured one as those of
 // the best alpha (docs/decisions/0003-alpha-scan.md).
 struct AlphaScan {
@@ -69,23 +71,26 @@ struct RidgeSettings {
 };
 
 // What a set of predictions is made with: a pair given in the job, or what the chain identified.
-struct PairGiven { double mu; double erosion_strain; };  // mu in Pa, as given
+struct PairGiven {
+  double mu;
+  double erosion_strain;
+};  // mu in Pa, as given
 struct IdentifiedTissue {};
 struct IdentifiedModel {};
 using PredictionMaterial = std::variant<PairGiven, IdentifiedTissue, IdentifiedModel>;
 
 struct PredictedShot {
   std::string particle;
-  double density = 0;   // kg/m3, of the particle
-  double radius = 0;    // m
-  double speed = 0;     // m/s
-  std::optional<double> measured;  // m
-  std::optional<double> reference; // m, another program's
+  double density = 0;               // kg/m3, of the particle
+  double radius = 0;                // m
+  double speed = 0;                 // m/s
+  std::optional<double> measured;   // m
+  std::optional<double> reference;  // m, another program's
 };
 
 struct PredictionSet {
   std::string system;
-  std::string table;            // what the published table of these shots is called; may be empty
+  std::string table;  // what the published table of these shots is called; may be empty
   std::vector<PredictedShot> shots;
   PredictionMaterial material;
   double target_density = 0;
@@ -97,8 +102,8 @@ struct PredictionSet {
 // A straight line through two columns of a table, in the table's own units.
 struct TrendTable {
   std::string name, x_name, y_name, unit;
-  std::vector<double> x, y;                              // in the columns' units
-  double x_unit = 1, y_unit = 1;                         // of one, in SI
+  std::vector<double> x, y;       // in the columns' units
+  double x_unit = 1, y_unit = 1;  // of one, in SI
   std::optional<double> reference_slope, reference_intercept;
 };
 
@@ -117,9 +122,9 @@ struct EqualMass {
   std::string table;  // what the published table is called
   struct Shape {
     std::string name;
-    std::string trend;            // name of a [[trends]] entry, or empty for a sphere on the scaled line
-    std::optional<double> mass;   // kg, that the trend was measured with; a prism of the same thickness is scaled by it
-    double reference = 0;         // m
+    std::string trend;           // name of a [[trends]] entry, or empty for a sphere on the scaled line
+    std::optional<double> mass;  // kg, that the trend was measured with; a prism of the same thickness is scaled by it
+    double reference = 0;        // m
   };
   double mass = 0;   // kg
   double speed = 0;  // m/s
@@ -132,18 +137,18 @@ struct IdentifyJob {
   StrainMeasure measure = StrainMeasure::engineering;
   ModelMaterial gelatin;
   Tissue tissue;
-  SphereScene calibration;                       // shot into the tissue
-  double penetration = 0;                        // m, its measured depth
-  std::optional<double> penetration_error;       // m, standard error of that
-  SphereScene model;                             // shot into the model material
+  SphereScene calibration;                  // shot into the tissue
+  double penetration = 0;                   // m, its measured depth
+  std::optional<double> penetration_error;  // m, standard error of that
+  SphereScene model;                        // shot into the model material
   Layer layer;
   VolumetricChoice volumetric = ChooseBulk{};
   SolverScene solver;
   AlphaChoice alpha = AlphaGiven{0};
   RidgeSettings ridge;
-  int check_elements_per_radius = 14;            // of the finite-element check of the model system
+  int check_elements_per_radius = 14;  // of the finite-element check of the model system
   int check_replicates = 3;
-  std::vector<int> mesh_study;                   // elements per radius at which the calibration impact is run again
+  std::vector<int> mesh_study;  // elements per radius at which the calibration impact is run again
   std::vector<PredictionSet> predictions;
   std::vector<TrendTable> trends;
   std::optional<ScaledLine> scaled_line;
@@ -153,14 +158,17 @@ struct IdentifyJob {
 
   // What somebody else found, for the comparison only; every entry may be missing.
   std::string reference_name = "reference";
-  std::map<std::string, double> reference;       // SI; keys are in docs/formats/identify.md
+  std::map<std::string, double> reference;  // SI; keys are in docs/formats/identify.md
 };
 
 // Reads the job and the tables it names. Throws BadInput for everything that is wrong with them.
 IdentifyJob read_identify_job(const std::string& path);
 
 // The keys that [reference] knows, with their dimensions.
-struct ReferenceKey { std::string key; Dimension dimension; };
+struct ReferenceKey {
+  std::string key;
+  Dimension dimension;
+};
 const std::vector<ReferenceKey>& reference_keys();
 
 }  // namespace percal

@@ -12,7 +12,8 @@
 namespace percal {
 namespace {
 
-const Range length = positive("length"), density = positive("density"), speed = positive("speed"), pressure = positive("pressure");
+const Range length = positive("length"), density = positive("density"), speed = positive("speed"),
+            pressure = positive("pressure");
 const Range strain = positive("strain"), factor = positive("factor");
 
 CsvTable table_of(const TomlTable& block, const std::string& key = "file") {
@@ -31,13 +32,14 @@ int column_index(const TomlTable& block, const std::string& key, const CsvTable&
 }
 
 // A column named in the job, as numbers within a range.
-std::vector<double> column(const TomlTable& block, const std::string& key, const CsvTable& table, const Dimension& dimension,
-                           const Range& range = positive()) {
+std::vector<double> column(const TomlTable& block, const std::string& key, const CsvTable& table,
+                           const Dimension& dimension, const Range& range = positive()) {
   const int index = column_index(block, key, table);
   auto values = table.numbers(index, dimension);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!contains(range, values[i]))
-      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index], words_of(range));
+      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index],
+                     words_of(range));
   return values;
 }
 
@@ -66,15 +68,20 @@ ModelMaterial read_gelatin(const TomlTable& block) {
   if (rows.has("mu_high_rate")) high_rate = column(rows, "mu_high_rate", table, dimension::pressure);
   if (rows.has("penetration_sd")) deviation = column(rows, "penetration_sd", table, dimension::length, not_negative());
   for (std::size_t i = 0; i < concentration.size(); ++i) {
-    Formulation f{.concentration = concentration[i], .mu_quasi_static = quasi_static[i], .mu_high_rate = {},
-                  .penetration = penetration[i], .penetration_sd = {}, .measured = true};
+    Formulation f{.concentration = concentration[i],
+                  .mu_quasi_static = quasi_static[i],
+                  .mu_high_rate = {},
+                  .penetration = penetration[i],
+                  .penetration_sd = {},
+                  .measured = true};
     if (!high_rate.empty()) f.mu_high_rate = high_rate[i];
     if (!deviation.empty()) f.penetration_sd = deviation[i];
     gelatin.formulations.push_back(f);
   }
   if (const auto condition = rows.optional_text("law_rows")) {
     const CsvTable measured = table.where({*condition});
-    if (measured.rows.empty()) rows.refuse("law_rows", "\"" + *condition + "\", which no row meets", "COLUMN=VALUE of some row");
+    if (measured.rows.empty())
+      rows.refuse("law_rows", "\"" + *condition + "\", which no row meets", "COLUMN=VALUE of some row");
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       gelatin.formulations[i].measured = std::any_of(measured.rows.begin(), measured.rows.end(),
                                                      [&](const CsvRow& row) { return row.line == table.rows[i].line; });
@@ -83,7 +90,8 @@ ModelMaterial read_gelatin(const TomlTable& block) {
   for (const Formulation& f : gelatin.formulations)
     if (f.measured) concentrations.insert(f.concentration);
   if (!gelatin.exponent && concentrations.size() < 2)
-    rows.refuse("concentration", "one concentration", "two or more with measured moduli, or gelatin.exponent, for the law mu = k c^n");
+    rows.refuse("concentration", "one concentration",
+                "two or more with measured moduli, or gelatin.exponent, for the law mu = k c^n");
   return gelatin;
 }
 
@@ -91,7 +99,8 @@ ModelMaterial read_gelatin(const TomlTable& block) {
 void check_exponent(const TomlTable& block, const std::string& key, double alpha, ModulusConvention convention) {
   if (std::abs(alpha) < 1e-3) block.refuse(key, "0", "an exponent at least 0.001 in size");
   if (alpha < 0 && convention == ModulusConvention::mu_over_alpha)
-    block.refuse(key, "an exponent below 0 beside convention.modulus = \"mu/alpha\"", "a positive exponent, or convention.modulus = \"true\"");
+    block.refuse(key, "an exponent below 0 beside convention.modulus = \"mu/alpha\"",
+                 "a positive exponent, or convention.modulus = \"true\"");
 }
 
 AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
@@ -101,14 +110,16 @@ AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
     if (block.has("scan")) block.refuse("value", "both value and scan", "one of them");
     return AlphaGiven{*value};
   }
-  if (!block.has("scan")) block.refuse("value", "neither value nor scan", "value = NUMBER, or scan = [NUMBER, ...] with a target table");
+  if (!block.has("scan"))
+    block.refuse("value", "neither value nor scan", "value = NUMBER, or scan = [NUMBER, ...] with a target table");
   AlphaScan scan;
   scan.candidates = block.numbers("scan", exponent);
   for (const double alpha : scan.candidates) check_exponent(block, "scan", alpha, convention);
   const std::set<double> candidates(scan.candidates.begin(), scan.candidates.end());
   scan.candidates.assign(candidates.begin(), candidates.end());
   if (scan.candidates.size() < 2 || scan.candidates.front() * scan.candidates.back() < 0)
-    block.refuse("scan", scan.candidates.size() < 2 ? "one exponent" : "exponents of both signs", "two or more exponents of one sign");
+    block.refuse("scan", scan.candidates.size() < 2 ? "one exponent" : "exponents of both signs",
+                 "two or more exponents of one sign");
   scan.elements_per_radius = block.integer("elements_per_radius", 1, 1000, scan.elements_per_radius);
   scan.replicates = block.integer("replicates", 1, 100, scan.replicates);
   const TomlTable target = block.table("target");
@@ -133,17 +144,23 @@ std::vector<PredictedShot> read_shots_to_predict(const TomlTable& block, const C
   const bool by_diameter = block.has("diameter_column");
   const auto size = lengths(by_diameter ? "diameter_column" : "radius_column");
   const auto speeds = column(block, "speed_column", table, dimension::speed);
-  const std::vector<double> densities = block.has("particle_density_column")
-                                            ? column(block, "particle_density_column", table, dimension::density)
-                                            : std::vector<double>(n, block.quantity("particle_density", dimension::density, density));
-  const std::vector<std::string> names = block.has("particle_column") ? table.texts(block.text("particle_column"))
-                                                                      : std::vector<std::string>(n, block.text("particle", "sphere"));
+  const std::vector<double> densities =
+      block.has("particle_density_column")
+          ? column(block, "particle_density_column", table, dimension::density)
+          : std::vector<double>(n, block.quantity("particle_density", dimension::density, density));
+  const std::vector<std::string> names = block.has("particle_column")
+                                             ? table.texts(block.text("particle_column"))
+                                             : std::vector<std::string>(n, block.text("particle", "sphere"));
   std::vector<double> measured, reference;
   if (block.has("measured_column")) measured = lengths("measured_column");
   if (block.has("reference_column")) reference = lengths("reference_column");
   for (std::size_t i = 0; i < n; ++i) {
-    shots[i] = {.particle = names[i], .density = densities[i], .radius = by_diameter ? size[i] / 2 : size[i], .speed = speeds[i],
-                .measured = {}, .reference = {}};
+    shots[i] = {.particle = names[i],
+                .density = densities[i],
+                .radius = by_diameter ? size[i] / 2 : size[i],
+                .speed = speeds[i],
+                .measured = {},
+                .reference = {}};
     if (!measured.empty()) shots[i].measured = measured[i];
     if (!reference.empty()) shots[i].reference = reference[i];
   }
@@ -154,7 +171,8 @@ PredictionMaterial read_material(const TomlTable& block) {
   switch (block.word("material", {"given", "tissue", "model"})) {
     case 1: return IdentifiedTissue{};
     case 2: return IdentifiedModel{};
-    default: return PairGiven{block.quantity("mu", dimension::pressure, pressure), block.number("erosion_strain", strain)};
+    default:
+      return PairGiven{block.quantity("mu", dimension::pressure, pressure), block.number("erosion_strain", strain)};
   }
 }
 
@@ -194,7 +212,8 @@ TrendTable read_trend(const TomlTable& block) {
     try {
       unit = column_unit(table.columns[index].unit);
     } catch (const std::invalid_argument& error) {
-      throw BadInput({table.file, table.header_line, table.columns[index].header}, error.what(), "a unit that is known");
+      throw BadInput({table.file, table.header_line, table.columns[index].header}, error.what(),
+                     "a unit that is known");
     }
     unit_in_si = unit.value;
     auto values = table.numbers(index, unit.dimension);
@@ -203,7 +222,8 @@ TrendTable read_trend(const TomlTable& block) {
   };
   trend.x = in_own_unit("x", trend.x_unit);
   trend.y = in_own_unit("y", trend.y_unit);
-  trend.unit = table.columns[table.column(trend.y_name)].unit + " per " + table.columns[table.column(trend.x_name)].unit;
+  trend.unit =
+      table.columns[table.column(trend.y_name)].unit + " per " + table.columns[table.column(trend.x_name)].unit;
   check_line(block, "x", trend.x);
   trend.reference_slope = block.optional_number("reference_slope", any_number());
   trend.reference_intercept = block.optional_number("reference_intercept", any_number());
@@ -220,8 +240,11 @@ ScaledLine read_scaled_line(const TomlTable& block) {
   const TomlTable shots = block.table("shots");
   const CsvTable table = table_of(shots);
   line.shots_table = shots.text("name", "model shots");
-  line.shots = read_shots(table, {.density = shots.text("density"), .radius = shots.text("radius", ""),
-                                  .diameter = shots.text("diameter", ""), .speed = shots.text("speed"), .depth = shots.text("penetration")});
+  line.shots = read_shots(table, {.density = shots.text("density"),
+                                  .radius = shots.text("radius", ""),
+                                  .diameter = shots.text("diameter", ""),
+                                  .speed = shots.text("speed"),
+                                  .depth = shots.text("penetration")});
   std::vector<double> parameters;
   for (const Shot& shot : line.shots) parameters.push_back(impact_parameter(shot));
   check_line(shots, "file", parameters);
@@ -232,10 +255,13 @@ ScaledLine read_scaled_line(const TomlTable& block) {
 }
 
 EqualMass read_equal_mass(const TomlTable& block) {
-  EqualMass equal{.table = block.text("name", "shapes of equal mass"), .mass = block.quantity("mass", dimension::mass, positive("mass")),
-                  .speed = block.quantity("speed", dimension::speed, speed), .shapes = {}};
+  EqualMass equal{.table = block.text("name", "shapes of equal mass"),
+                  .mass = block.quantity("mass", dimension::mass, positive("mass")),
+                  .speed = block.quantity("speed", dimension::speed, speed),
+                  .shapes = {}};
   for (const TomlTable& shape : block.tables("shapes"))
-    equal.shapes.push_back({.name = shape.text("name"), .trend = shape.text("trend", ""),
+    equal.shapes.push_back({.name = shape.text("name"),
+                            .trend = shape.text("trend", ""),
                             .mass = shape.optional_quantity("mass", dimension::mass, positive("mass")),
                             .reference = shape.quantity("reference", dimension::length, length)});
   return equal;
@@ -252,7 +278,8 @@ void check_references_between_blocks(const TomlTable& root, const IdentifyJob& j
   const auto blocks = root.table("equal_mass").tables("shapes");
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const EqualMass::Shape& shape = job.equal_mass->shapes[i];
-    const bool known = std::any_of(job.trends.begin(), job.trends.end(), [&](const TrendTable& t) { return t.name == shape.trend; });
+    const bool known =
+        std::any_of(job.trends.begin(), job.trends.end(), [&](const TrendTable& t) { return t.name == shape.trend; });
     if (!shape.trend.empty() && !known)
       blocks[i].refuse("trend", in_quotes(shape.trend), "the name of a [[trends]] block");
     if (shape.trend.empty() && !job.scaled_line)
@@ -263,12 +290,15 @@ void check_references_between_blocks(const TomlTable& root, const IdentifyJob& j
 }  // namespace
 
 const std::vector<ReferenceKey>& reference_keys() {
-  static const std::vector<ReferenceKey> keys{
-      {"model_density", dimension::density},        {"modulus_ratio", dimension::none},
-      {"model_penetration", dimension::length},     {"model_fe_penetration", dimension::length},
-      {"model_modulus", dimension::pressure},       {"highrate_modulus", dimension::pressure},
-      {"erosion_strain", dimension::none},          {"quasistatic_shear_modulus", dimension::pressure},
-      {"quasistatic_youngs_modulus", dimension::pressure}};
+  static const std::vector<ReferenceKey> keys{{"model_density", dimension::density},
+                                              {"modulus_ratio", dimension::none},
+                                              {"model_penetration", dimension::length},
+                                              {"model_fe_penetration", dimension::length},
+                                              {"model_modulus", dimension::pressure},
+                                              {"highrate_modulus", dimension::pressure},
+                                              {"erosion_strain", dimension::none},
+                                              {"quasistatic_shear_modulus", dimension::pressure},
+                                              {"quasistatic_youngs_modulus", dimension::pressure}};
   return keys;
 }
 
@@ -278,29 +308,35 @@ IdentifyJob read_identify_job(const std::string& path) {
   job.file = path;
   job.title = root.text("title", path);
   const TomlTable convention = root.table("convention");
-  job.convention = convention.word("modulus", {"true", "mu/alpha"}) == 1 ? ModulusConvention::mu_over_alpha : ModulusConvention::true_shear;
+  job.convention = convention.word("modulus", {"true", "mu/alpha"}) == 1 ? ModulusConvention::mu_over_alpha
+                                                                         : ModulusConvention::true_shear;
   job.measure = static_cast<StrainMeasure>(convention.word("strain", {"engineering", "true", "green-lagrange"}, 0));
 
   job.gelatin = read_gelatin(root.table("gelatin"));
   const TomlTable tissue = root.table("tissue");
-  job.tissue = {.name = tissue.text("name"), .density = tissue.quantity("density", dimension::density, density),
+  job.tissue = {.name = tissue.text("name"),
+                .density = tissue.quantity("density", dimension::density, density),
                 .rate_factor = tissue.number("rate_factor", factor)};
   const TomlTable calibration = root.table("calibration");
   job.calibration = read_sphere(calibration);
   job.penetration = calibration.quantity("penetration", dimension::length, length);
-  job.penetration_error = calibration.optional_quantity("penetration_standard_error", dimension::length, not_negative("length"));
+  job.penetration_error =
+      calibration.optional_quantity("penetration_standard_error", dimension::length, not_negative("length"));
   job.model = read_sphere(root.table("model"));
 
   if (const auto layer = root.optional_table("layer")) {
-    job.layer.depth = layer->number("depth_over_radius", Range{1, 1e6, true, false, "more than one radius"}, job.layer.depth);
-    job.layer.width = layer->number("width_over_radius", Range{1, 1e6, true, false, "more than one radius"}, job.layer.width);
+    job.layer.depth =
+        layer->number("depth_over_radius", Range{1, 1e6, true, false, "more than one radius"}, job.layer.depth);
+    job.layer.width =
+        layer->number("width_over_radius", Range{1, 1e6, true, false, "more than one radius"}, job.layer.width);
     job.layer.bottom = layer->word("bottom", {"free", "fixed"}, 0) == 1 ? Bottom::fixed : Bottom::free;
   }
   if (const auto solver = root.optional_table("solver")) {
     job.volumetric = volumetric_from(*solver);
     job.solver = solver_from(*solver);
     if (job.solver.end_time)
-      solver->refuse("end_time", "a time for all spheres, small and large", "no end_time in a job: runs end when the sphere stops");
+      solver->refuse("end_time", "a time for all spheres, small and large",
+                     "no end_time in a job: runs end when the sphere stops");
   }
   job.alpha = read_alpha(root.table("alpha"), job.convention);
   const TomlTable ridge = root.table("ridge");
@@ -315,8 +351,10 @@ IdentifyJob read_identify_job(const std::string& path) {
     job.check_replicates = check->integer("replicates", 1, 100, job.check_replicates);
   }
   if (const auto study = root.optional_table("mesh_study")) {
-    for (const double elements : study->numbers("elements_per_radius", Range{1, 1000, false, false, "a whole number from 1 to 1000"})) {
-      if (elements != std::floor(elements)) study->refuse("elements_per_radius", "a fraction of an element", "whole numbers from 1 to 1000");
+    for (const double elements :
+         study->numbers("elements_per_radius", Range{1, 1000, false, false, "a whole number from 1 to 1000"})) {
+      if (elements != std::floor(elements))
+        study->refuse("elements_per_radius", "a fraction of an element", "whole numbers from 1 to 1000");
       job.mesh_study.push_back(static_cast<int>(elements));
     }
   }

@@ -17,9 +17,18 @@ Json maybe(const std::optional<double>& value) { return value && std::isfinite(*
 Json table_to_json(const IdentifyJob& job, const ComparisonTable& table) {
   Json rows = Json::array();
   for (const ComparedNumber& row : table.rows)
-    rows.push_back({{"what", row.what}, {"unit", row.unit}, {"reference", maybe(row.reference)}, {"ours", maybe(row.ours)},
-                    {"difference", maybe(row.difference())}, {"error", maybe(row.error)}, {"remark", row.remark}});
-  return {{"name", table.name}, {"note", table.note}, {"reference", table.beside.empty() ? job.reference_name : table.beside}, {"mean_difference", maybe(table.mean_difference())}, {"rows", rows}};
+    rows.push_back({{"what", row.what},
+                    {"unit", row.unit},
+                    {"reference", maybe(row.reference)},
+                    {"ours", maybe(row.ours)},
+                    {"difference", maybe(row.difference())},
+                    {"error", maybe(row.error)},
+                    {"remark", row.remark}});
+  return {{"name", table.name},
+          {"note", table.note},
+          {"reference", table.beside.empty() ? job.reference_name : table.beside},
+          {"mean_difference", maybe(table.mean_difference())},
+          {"rows", rows}};
 }
 
 Json tables_to_json(const IdentifyJob& job, const std::vector<ComparisonTable>& tables) {
@@ -57,9 +66,16 @@ Json ridge_to_json(const IdentifyJob& job, const Identification& found) {
 Json alpha_to_json(const Identification& found) {
   if (!found.alpha_scan) return {{"value", found.alpha}, {"from", "given"}};
   const AlphaFinding& scan = *found.alpha_scan;
-  return {{"value", found.alpha}, {"from", "scan"}, {"best", scan.best}, {"best_mean_deviation", scan.best_score},
-          {"mean_deviation", scan.score}, {"standard_error", scan.score_error}, {"indistinguishable_from", scan.lowest},
-          {"indistinguishable_to", scan.highest}, {"at_edge", scan.at_edge}, {"ridge_is_in_sample", true}};
+  return {{"value", found.alpha},
+          {"from", "scan"},
+          {"best", scan.best},
+          {"best_mean_deviation", scan.best_score},
+          {"mean_deviation", scan.score},
+          {"standard_error", scan.score_error},
+          {"indistinguishable_from", scan.lowest},
+          {"indistinguishable_to", scan.highest},
+          {"at_edge", scan.at_edge},
+          {"ridge_is_in_sample", true}};
 }
 
 Json tissue_to_json(const IdentifyJob& job, const Identification& found) {
@@ -95,10 +111,19 @@ Json predictions_to_json(const Identification& found) {
       const PredictedShot& shot = result.set->shots[i];
       const Shooting& shooting = result.shots[i];
       const Penetration& p = shooting.penetration;
-      all.push_back({{"system", result.set->system}, {"particle", shot.particle}, {"target_density_kg_m3", result.set->target_density},
-                     {"radius_m", shot.radius}, {"speed_m_s", shot.speed}, {"outcome", word(p.outcome)}, {"depth_m", maybe(p.depth)},
-                     {"depth_spread_m", maybe(p.spread)}, {"depth_at_least_m", maybe(p.at_least)}, {"measured_m", maybe(shot.measured)},
-                     {"thesis_fe_m", maybe(shot.reference)}, {"mach", shooting.reduction.mach}, {"energy_worst_closure", p.worst_closure},
+      all.push_back({{"system", result.set->system},
+                     {"particle", shot.particle},
+                     {"target_density_kg_m3", result.set->target_density},
+                     {"radius_m", shot.radius},
+                     {"speed_m_s", shot.speed},
+                     {"outcome", word(p.outcome)},
+                     {"depth_m", maybe(p.depth)},
+                     {"depth_spread_m", maybe(p.spread)},
+                     {"depth_at_least_m", maybe(p.at_least)},
+                     {"measured_m", maybe(shot.measured)},
+                     {"thesis_fe_m", maybe(shot.reference)},
+                     {"mach", shooting.reduction.mach},
+                     {"energy_worst_closure", p.worst_closure},
                      {"numerical_loss", p.energy.numerical_loss()}});
     }
   return all;
@@ -107,7 +132,8 @@ Json predictions_to_json(const Identification& found) {
 Json prediction_means_to_json(const Identification& found) {
   Json all = Json::array();
   for (const PredictionResult& result : found.predictions)
-    all.push_back({{"system", result.set->system}, {"target_density_kg_m3", result.set->target_density},
+    all.push_back({{"system", result.set->system},
+                   {"target_density_kg_m3", result.set->target_density},
                    {"mean_deviation_from_measured", maybe(result.mean_deviation_from_measured)},
                    {"mean_deviation_from_thesis_fe", maybe(result.mean_deviation_from_reference)}});
   return all;
@@ -116,7 +142,9 @@ Json prediction_means_to_json(const Identification& found) {
 Json model_check_to_json(const Identification& found) {
   if (!found.model_check) return nullptr;
   const Penetration& p = found.model_check->penetration;
-  return {{"depth_m", maybe(p.depth)}, {"depth_spread_m", maybe(p.spread)}, {"outcome", word(p.outcome)},
+  return {{"depth_m", maybe(p.depth)},
+          {"depth_spread_m", maybe(p.spread)},
+          {"outcome", word(p.outcome)},
           {"expected_m", found.similarity.penetration}};
 }
 
@@ -124,26 +152,28 @@ Json model_check_to_json(const Identification& found) {
 
 Json identification_to_json(const IdentifyJob& job, const Identification& found, const IdentifyCost& cost) {
   const GelatinLaw& law = found.gelatin.law;
-  return {{"schema", result_schema},
-          {"percal", version()},
-          {"command", "identify"},
-          {"isa", cost.instruction_level},
-          {"input", {{"job", job.file}, {"toml", read_file(job.file)}}},
-          {"title", job.title},
-          {"complete", found.complete()},
-          {"gelatin_law", {{"k_Pa", law.factor}, {"n", law.exponent}, {"k_standard_error_Pa", maybe(law.factor_error)}}},
-          {"alpha", alpha_to_json(found)},
-          {"ridge", ridge_to_json(job, found)},
-          {"similarity", similarity_to_json(job, found)},
-          {"skin", tissue_to_json(job, found)},
-          {"model_check", model_check_to_json(found)},
-          {"predictions", predictions_to_json(found)},
-          {"prediction_means", prediction_means_to_json(found)},
-          {"card", found.card ? card_to_json(*found.card) : Json(nullptr)},
-          {"steps", tables_to_json(job, found.steps)},
-          {"tables", tables_to_json(job, found.tables)},
-          {"findings", found.findings},
-          {"cost", {{"runs", cost.runs}, {"reused", cost.reused}, {"wall_s", cost.wall_seconds}, {"cpu_s", cost.cpu_seconds}}}};
+  return {
+      {"schema", result_schema},
+      {"percal", version()},
+      {"command", "identify"},
+      {"isa", cost.instruction_level},
+      {"input", {{"job", job.file}, {"toml", read_file(job.file)}}},
+      {"title", job.title},
+      {"complete", found.complete()},
+      {"gelatin_law", {{"k_Pa", law.factor}, {"n", law.exponent}, {"k_standard_error_Pa", maybe(law.factor_error)}}},
+      {"alpha", alpha_to_json(found)},
+      {"ridge", ridge_to_json(job, found)},
+      {"similarity", similarity_to_json(job, found)},
+      {"skin", tissue_to_json(job, found)},
+      {"model_check", model_check_to_json(found)},
+      {"predictions", predictions_to_json(found)},
+      {"prediction_means", prediction_means_to_json(found)},
+      {"card", found.card ? card_to_json(*found.card) : Json(nullptr)},
+      {"steps", tables_to_json(job, found.steps)},
+      {"tables", tables_to_json(job, found.tables)},
+      {"findings", found.findings},
+      {"cost",
+       {{"runs", cost.runs}, {"reused", cost.reused}, {"wall_s", cost.wall_seconds}, {"cpu_s", cost.cpu_seconds}}}};
 }
 
 }  // namespace percal

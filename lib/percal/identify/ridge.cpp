@@ -78,9 +78,12 @@ std::optional<StrainOnRidge> strain_at(const std::vector<RidgePoint>& ridge, dou
     if (before) {
       const double from = std::log(before->mu), to = std::log(point.mu), at = std::log(mu);
       if ((at - from) * (at - to) <= 0 && from != to) {
-        const double share = (at - from) / (to - from), slope = (point.erosion_strain - before->erosion_strain) / (to - from);
-        const double error = std::max(std::hypot(before->solver_error, before->data_error), std::hypot(point.solver_error, point.data_error));
-        return StrainOnRidge{before->erosion_strain + share * (point.erosion_strain - before->erosion_strain), std::abs(slope) * error};
+        const double share = (at - from) / (to - from),
+                     slope = (point.erosion_strain - before->erosion_strain) / (to - from);
+        const double error = std::max(std::hypot(before->solver_error, before->data_error),
+                                      std::hypot(point.solver_error, point.data_error));
+        return StrainOnRidge{before->erosion_strain + share * (point.erosion_strain - before->erosion_strain),
+                             std::abs(slope) * error};
       }
     }
     before = &point;

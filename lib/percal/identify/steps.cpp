@@ -32,21 +32,44 @@ std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share);
 
 ComparisonTable law_step(const IdentifyJob& job, const Identification& found) {
   const auto& law = found.gelatin.law;
-  ComparisonTable table{.name = job.gelatin.name + ": modulus against concentration",
-                        .note = fmt::format("mu = k c^n; k's error is the fit's standard error; high-rate moduli: the table's where a curve was "
-                                            "measured, {} times the law's elsewhere", job.gelatin.rate_factor),
-                        .rows = {}};
-  table.rows.push_back({.what = "k", .unit = "kPa", .reference = {}, .ours = law.factor / kPa, .error = over(law.factor_error, kPa), .digits = 5, .remark = ""});
-  table.rows.push_back({.what = job.gelatin.exponent ? "n (given)" : "n (fitted)", .unit = "", .reference = job.gelatin.exponent, .ours = law.exponent, .error = law.exponent_error, .digits = 4, .remark = ""});
+  ComparisonTable table{
+      .name = job.gelatin.name + ": modulus against concentration",
+      .note = fmt::format(
+          "mu = k c^n; k's error is the fit's standard error; high-rate moduli: the table's where a curve was "
+          "measured, {} times the law's elsewhere",
+          job.gelatin.rate_factor),
+      .rows = {}};
+  table.rows.push_back({.what = "k",
+                        .unit = "kPa",
+                        .reference = {},
+                        .ours = law.factor / kPa,
+                        .error = over(law.factor_error, kPa),
+                        .digits = 5,
+                        .remark = ""});
+  table.rows.push_back({.what = job.gelatin.exponent ? "n (given)" : "n (fitted)",
+                        .unit = "",
+                        .reference = job.gelatin.exponent,
+                        .ours = law.exponent,
+                        .error = law.exponent_error,
+                        .digits = 4,
+                        .remark = ""});
   for (const Formulation& f : job.gelatin.formulations) {
     const double modulus = law.at(f.concentration);
-    table.rows.push_back({.what = fmt::format("quasi-static modulus by the law, {} wt%", f.concentration), .unit = "kPa",
-                          .reference = f.mu_quasi_static / kPa, .ours = modulus / kPa,
-                          .error = law.factor_error ? std::optional(*law.factor_error / law.factor * modulus / kPa) : std::nullopt,
-                          .digits = 4, .remark = f.measured ? "" : "extrapolated"});
-    table.rows.push_back({.what = fmt::format("high-rate modulus by the law, {} wt%", f.concentration), .unit = "kPa",
-                          .reference = over(f.mu_high_rate, kPa), .ours = high_rate_modulus(modulus, job.gelatin.rate_factor) / kPa,
-                          .error = {}, .digits = 4, .remark = ""});
+    table.rows.push_back(
+        {.what = fmt::format("quasi-static modulus by the law, {} wt%", f.concentration),
+         .unit = "kPa",
+         .reference = f.mu_quasi_static / kPa,
+         .ours = modulus / kPa,
+         .error = law.factor_error ? std::optional(*law.factor_error / law.factor * modulus / kPa) : std::nullopt,
+         .digits = 4,
+         .remark = f.measured ? "" : "extrapolated"});
+    table.rows.push_back({.what = fmt::format("high-rate modulus by the law, {} wt%", f.concentration),
+                          .unit = "kPa",
+                          .reference = over(f.mu_high_rate, kPa),
+                          .ours = high_rate_modulus(modulus, job.gelatin.rate_factor) / kPa,
+                          .error = {},
+                          .digits = 4,
+                          .remark = ""});
   }
   return table;
 }
@@ -55,29 +78,43 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
   const auto [unit, scale] = length_unit(job.calibration.radius);
   ComparisonTable table;
   table.name = fmt::format("ridge: modulus and erosion strain that give {:.4g} {}", job.penetration / scale, unit);
-  table.note = fmt::format("moduli as given ({}), {} strain, {} elements per radius; error: solver noise and the standard error of the measured "
-                           "depth; the mesh's is not in it", word(job.convention), word(job.measure), job.ridge.elements_per_radius);
+  table.note = fmt::format(
+      "moduli as given ({}), {} strain, {} elements per radius; error: solver noise and the standard error of the "
+      "measured "
+      "depth; the mesh's is not in it",
+      word(job.convention), word(job.measure), job.ridge.elements_per_radius);
   if (found.alpha_scan) {
     const auto& scan = *found.alpha_scan;
-    table.note += fmt::format("; alpha is fitted to the same pairs, so this table is no prediction: least mean deviation {} at {:.2f}, "
-                              "one standard error ({}) from {:.2f} to {:.2f}, the least of which is taken",
-                              percent(scan.best_score), scan.best, percent(scan.score_error), scan.lowest, scan.highest);
+    table.note += fmt::format(
+        "; alpha is fitted to the same pairs, so this table is no prediction: least mean deviation {} at {:.2f}, "
+        "one standard error ({}) from {:.2f} to {:.2f}, the least of which is taken",
+        percent(scan.best_score), scan.best, percent(scan.score_error), scan.lowest, scan.highest);
   }
-  table.rows.push_back({.what = "alpha", .unit = "", .reference = {}, .ours = found.alpha, .error = {}, .digits = 3, .remark = ""});
+  table.rows.push_back(
+      {.what = "alpha", .unit = "", .reference = {}, .ours = found.alpha, .error = {}, .digits = 3, .remark = ""});
   for (const RidgePoint& point : found.ridge) {
     const bool is_found = point.inversion.outcome == InversionOutcome::found;
-    table.rows.push_back({.what = fmt::format("mu at erosion strain {}", point.erosion_strain), .unit = "MPa",
-                          .reference = point.known ? std::optional(point.known->mu / MPa) : std::nullopt,
-                          .ours = is_found ? std::optional(point.mu / MPa) : std::nullopt,
-                          .error = is_found ? std::optional(point.mu / MPa * std::hypot(point.solver_error, point.data_error)) : std::nullopt,
-                          .digits = 4, .remark = is_found ? "" : word(point.inversion.outcome)});
+    table.rows.push_back(
+        {.what = fmt::format("mu at erosion strain {}", point.erosion_strain),
+         .unit = "MPa",
+         .reference = point.known ? std::optional(point.known->mu / MPa) : std::nullopt,
+         .ours = is_found ? std::optional(point.mu / MPa) : std::nullopt,
+         .error =
+             is_found ? std::optional(point.mu / MPa * std::hypot(point.solver_error, point.data_error)) : std::nullopt,
+         .digits = 4,
+         .remark = is_found ? "" : word(point.inversion.outcome)});
   }
   for (const RidgePoint& point : found.ridge)
     if (point.at_known) {
       const Penetration& p = point.at_known->penetration;
-      table.rows.push_back({.what = fmt::format("depth at the known pair ({:.4g} MPa, {})", point.known->mu / MPa, point.erosion_strain), .unit = unit,
-                            .reference = job.penetration / scale, .ours = over(p.depth, scale), .error = over(p.standard_error, scale),
-                            .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
+      table.rows.push_back(
+          {.what = fmt::format("depth at the known pair ({:.4g} MPa, {})", point.known->mu / MPa, point.erosion_strain),
+           .unit = unit,
+           .reference = job.penetration / scale,
+           .ours = over(p.depth, scale),
+           .error = over(p.standard_error, scale),
+           .digits = 4,
+           .remark = p.depth ? "" : word(p.outcome)});
     }
   return table;
 }
@@ -85,114 +122,230 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
 ComparisonTable similarity_step(const IdentifyJob& job, const Identification& found) {
   const auto& s = found.similarity;
   ComparisonTable table{.name = fmt::format("similar model system: {} into {}", job.model.name, job.gelatin.name),
-                        .note = "exact consequences of equal pi4, pi5 and pi8; errors are those of the numbers put in", .rows = {}};
-  table.rows.push_back({.what = "density that the model material should have", .unit = "kg/m3", .reference = reference(job, "model_density", 1), .ours = s.model.target_density, .error = {}, .digits = 5, .remark = ""});
-  table.rows.push_back({.what = "density that it has", .unit = "kg/m3", .reference = {}, .ours = job.gelatin.density, .error = {}, .digits = 5, .remark = ""});
-  table.rows.push_back({.what = "modulus, model over tissue", .unit = "", .reference = reference(job, "modulus_ratio", 1), .ours = s.modulus_ratio, .error = {}, .digits = 4, .remark = ""});
-  table.rows.push_back({.what = "depth that the model shot should have", .unit = "cm", .reference = reference(job, "model_penetration", cm), .ours = s.penetration / cm,
-                        .error = job.penetration_error ? std::optional(*job.penetration_error / job.penetration * s.penetration / cm) : std::nullopt, .digits = 4, .remark = ""});
+                        .note = "exact consequences of equal pi4, pi5 and pi8; errors are those of the numbers put in",
+                        .rows = {}};
+  table.rows.push_back({.what = "density that the model material should have",
+                        .unit = "kg/m3",
+                        .reference = reference(job, "model_density", 1),
+                        .ours = s.model.target_density,
+                        .error = {},
+                        .digits = 5,
+                        .remark = ""});
+  table.rows.push_back({.what = "density that it has",
+                        .unit = "kg/m3",
+                        .reference = {},
+                        .ours = job.gelatin.density,
+                        .error = {},
+                        .digits = 5,
+                        .remark = ""});
+  table.rows.push_back({.what = "modulus, model over tissue",
+                        .unit = "",
+                        .reference = reference(job, "modulus_ratio", 1),
+                        .ours = s.modulus_ratio,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
+  table.rows.push_back({.what = "depth that the model shot should have",
+                        .unit = "cm",
+                        .reference = reference(job, "model_penetration", cm),
+                        .ours = s.penetration / cm,
+                        .error = job.penetration_error
+                                     ? std::optional(*job.penetration_error / job.penetration * s.penetration / cm)
+                                     : std::nullopt,
+                        .digits = 4,
+                        .remark = ""});
   return table;
 }
 
 ComparisonTable formulation_step(const IdentifyJob& job, const Identification& found) {
   const auto& s = found.similarity;
-  ComparisonTable table{.name = "formulation whose measured depth is nearest",
-                        .note = fmt::format("depth that the model shot should have: {:.4g} cm; error: standard deviation of single shots", s.penetration / cm),
-                        .beside = "wanted", .rows = {}};
+  ComparisonTable table{
+      .name = "formulation whose measured depth is nearest",
+      .note = fmt::format("depth that the model shot should have: {:.4g} cm; error: standard deviation of single shots",
+                          s.penetration / cm),
+      .beside = "wanted",
+      .rows = {}};
   for (std::size_t i = 0; i < job.gelatin.formulations.size(); ++i) {
     const Formulation& f = job.gelatin.formulations[i];
-    table.rows.push_back({.what = fmt::format("measured depth, {} wt%", f.concentration), .unit = "cm", .reference = s.penetration / cm,
-                          .ours = f.penetration / cm, .error = over(f.penetration_sd, cm), .digits = 4,
+    table.rows.push_back({.what = fmt::format("measured depth, {} wt%", f.concentration),
+                          .unit = "cm",
+                          .reference = s.penetration / cm,
+                          .ours = f.penetration / cm,
+                          .error = over(f.penetration_sd, cm),
+                          .digits = 4,
                           .remark = static_cast<int>(i) == s.formulation ? "chosen" : ""});
   }
-  table.rows.push_back({.what = "its high-rate modulus as given", .unit = "kPa", .reference = {},
-                        .ours = found.gelatin.high_rate[s.formulation] / kPa, .error = {}, .digits = 4, .remark = ""});
+  table.rows.push_back({.what = "its high-rate modulus as given",
+                        .unit = "kPa",
+                        .reference = {},
+                        .ours = found.gelatin.high_rate[s.formulation] / kPa,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
   return table;
 }
 
 ComparisonTable tissue_step(const IdentifyJob& job, const Identification& found) {
   const auto& t = found.tissue;
   ComparisonTable table{.name = job.tissue.name,
-                        .note = fmt::format("true modulus = as given times {:.4g} ({}); the erosion strain's error is the ridge's; the modulus carries the "
-                                            "error of the choice of one formulation, {} in depth", true_modulus(1, found.alpha, job.convention),
-                                            word(job.convention), percent(std::abs(found.similarity.mismatch))),
+                        .note = fmt::format("true modulus = as given times {:.4g} ({}); the erosion strain's error is "
+                                            "the ridge's; the modulus carries the "
+                                            "error of the choice of one formulation, {} in depth",
+                                            true_modulus(1, found.alpha, job.convention), word(job.convention),
+                                            percent(std::abs(found.similarity.mismatch))),
                         .rows = {}};
-  table.rows.push_back({.what = "high-rate shear modulus as given", .unit = "MPa", .reference = reference(job, "highrate_modulus", MPa), .ours = t.mu / MPa, .error = {}, .digits = 4, .remark = ""});
-  table.rows.push_back({.what = "high-rate shear modulus, true", .unit = "MPa", .reference = {}, .ours = true_modulus(t.mu, found.alpha, job.convention) / MPa, .error = {}, .digits = 4, .remark = ""});
-  table.rows.push_back({.what = "erosion strain on the ridge", .unit = "", .reference = reference(job, "erosion_strain", 1),
-                        .ours = t.erosion ? std::optional(t.erosion->strain) : std::nullopt, .error = t.erosion ? std::optional(t.erosion->error) : std::nullopt,
-                        .digits = 3, .remark = t.erosion ? "" : "the ridge does not reach this modulus"});
-  table.rows.push_back({.what = "quasi-static shear modulus as given", .unit = "MPa", .reference = reference(job, "quasistatic_shear_modulus", MPa), .ours = t.mu_quasi_static / MPa, .error = {}, .digits = 4, .remark = ""});
-  table.rows.push_back({.what = "quasi-static Young's modulus as given", .unit = "MPa", .reference = reference(job, "quasistatic_youngs_modulus", MPa), .ours = t.youngs_quasi_static / MPa, .error = {}, .digits = 4, .remark = ""});
-  table.rows.push_back({.what = "quasi-static Young's modulus, true", .unit = "MPa", .reference = {}, .ours = true_modulus(t.youngs_quasi_static, found.alpha, job.convention) / MPa, .error = {}, .digits = 4, .remark = ""});
+  table.rows.push_back({.what = "high-rate shear modulus as given",
+                        .unit = "MPa",
+                        .reference = reference(job, "highrate_modulus", MPa),
+                        .ours = t.mu / MPa,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
+  table.rows.push_back({.what = "high-rate shear modulus, true",
+                        .unit = "MPa",
+                        .reference = {},
+                        .ours = true_modulus(t.mu, found.alpha, job.convention) / MPa,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
+  table.rows.push_back({.what = "erosion strain on the ridge",
+                        .unit = "",
+                        .reference = reference(job, "erosion_strain", 1),
+                        .ours = t.erosion ? std::optional(t.erosion->strain) : std::nullopt,
+                        .error = t.erosion ? std::optional(t.erosion->error) : std::nullopt,
+                        .digits = 3,
+                        .remark = t.erosion ? "" : "the ridge does not reach this modulus"});
+  table.rows.push_back({.what = "quasi-static shear modulus as given",
+                        .unit = "MPa",
+                        .reference = reference(job, "quasistatic_shear_modulus", MPa),
+                        .ours = t.mu_quasi_static / MPa,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
+  table.rows.push_back({.what = "quasi-static Young's modulus as given",
+                        .unit = "MPa",
+                        .reference = reference(job, "quasistatic_youngs_modulus", MPa),
+                        .ours = t.youngs_quasi_static / MPa,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
+  table.rows.push_back({.what = "quasi-static Young's modulus, true",
+                        .unit = "MPa",
+                        .reference = {},
+                        .ours = true_modulus(t.youngs_quasi_static, found.alpha, job.convention) / MPa,
+                        .error = {},
+                        .digits = 4,
+                        .remark = ""});
   return table;
 }
 
 ComparisonTable check_step(const IdentifyJob& job, const Identification& found) {
   const Penetration& p = found.model_check->penetration;
   const auto& s = found.similarity;
-  ComparisonTable table{.name = "finite-element check of the model system",
-                        .note = fmt::format("{:.5g} kg/m3, {:.4g} kPa as given, erosion strain {:.3g}, {} elements per radius, {} runs; error: their standard error",
-                                            *s.model.target_density, found.gelatin.high_rate[s.formulation] / kPa, found.tissue.erosion->strain,
-                                            job.check_elements_per_radius, job.check_replicates),
-                        .beside = "other", .rows = {}};
+  ComparisonTable table{
+      .name = "finite-element check of the model system",
+      .note = fmt::format("{:.5g} kg/m3, {:.4g} kPa as given, erosion strain {:.3g}, {} elements per radius, {} runs; "
+                          "error: their standard error",
+                          *s.model.target_density, found.gelatin.high_rate[s.formulation] / kPa,
+                          found.tissue.erosion->strain, job.check_elements_per_radius, job.check_replicates),
+      .beside = "other",
+      .rows = {}};
   const auto row = [&](const char* what, std::optional<double> other) {
-    table.rows.push_back({.what = what, .unit = "cm", .reference = other, .ours = over(p.depth, cm), .error = over(p.standard_error, cm), .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
+    table.rows.push_back({.what = what,
+                          .unit = "cm",
+                          .reference = other,
+                          .ours = over(p.depth, cm),
+                          .error = over(p.standard_error, cm),
+                          .digits = 4,
+                          .remark = p.depth ? "" : word(p.outcome)});
   };
   row("depth, beside the similar one", s.penetration / cm);
   row("depth, beside the measured one", job.gelatin.formulations[s.formulation].penetration / cm);
-  if (job.reference.contains("model_fe_penetration")) row("depth, beside the reference's finite elements", reference(job, "model_fe_penetration", cm));
+  if (job.reference.contains("model_fe_penetration"))
+    row("depth, beside the reference's finite elements", reference(job, "model_fe_penetration", cm));
   return table;
 }
 
 ComparisonTable mesh_step(const IdentifyJob& job, const Identification& found) {
   const auto [unit, scale] = length_unit(job.calibration.radius);
-  ComparisonTable table{.name = "mesh: the calibration impact at the identified pair",
-                        .note = fmt::format("the ridge was found with {} elements per radius, the predictions have their own; what the depth still "
-                                            "changes here is the mesh error of both. Error: standard error of {} runs", job.ridge.elements_per_radius, job.check_replicates),
-                        .beside = "measured", .rows = {}};
+  ComparisonTable table{
+      .name = "mesh: the calibration impact at the identified pair",
+      .note = fmt::format(
+          "the ridge was found with {} elements per radius, the predictions have their own; what the depth still "
+          "changes here is the mesh error of both. Error: standard error of {} runs",
+          job.ridge.elements_per_radius, job.check_replicates),
+      .beside = "measured",
+      .rows = {}};
   for (std::size_t i = 0; i < found.mesh_study.size(); ++i) {
     const Penetration& p = found.mesh_study[i].penetration;
-    table.rows.push_back({.what = fmt::format("{} elements per radius", job.mesh_study[i]), .unit = unit, .reference = job.penetration / scale,
-                          .ours = over(p.depth, scale), .error = over(p.standard_error, scale), .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
+    table.rows.push_back({.what = fmt::format("{} elements per radius", job.mesh_study[i]),
+                          .unit = unit,
+                          .reference = job.penetration / scale,
+                          .ours = over(p.depth, scale),
+                          .error = over(p.standard_error, scale),
+                          .digits = 4,
+                          .remark = p.depth ? "" : word(p.outcome)});
   }
   return table;
 }
 
 ComparisonTable prediction_step(const IdentifyJob& job, const PredictionResult& result) {
   const PredictionSet& set = *result.set;
-  ComparisonTable table{.name = fmt::format("predicted: {} ({:.5g} kg/m3)", set.system, set.target_density), .note = "", .beside = "measured", .rows = {}};
+  ComparisonTable table{.name = fmt::format("predicted: {} ({:.5g} kg/m3)", set.system, set.target_density),
+                        .note = "",
+                        .beside = "measured",
+                        .rows = {}};
   for (std::size_t i = 0; i < set.shots.size(); ++i) {
     const PredictedShot& shot = set.shots[i];
     const auto [unit, scale] = length_unit(shot.radius);
     const Penetration& p = result.shots[i].penetration;
     std::string remark = p.depth ? "" : word(p.outcome);
-    if (shot.reference && p.depth) remark = fmt::format("{} {:.4g} ({:+.1f} %)", job.reference_name, *shot.reference / scale, 100 * (*p.depth / *shot.reference - 1));
-    table.rows.push_back({.what = fmt::format("{}, a = {}, {:.4g} m/s", shot.particle, format_quantity(shot.radius, dimension::length), shot.speed), .unit = unit,
-                          .reference = over(shot.measured, scale), .ours = over(p.depth, scale), .error = over(p.spread, scale), .digits = 4, .remark = remark});
+    if (shot.reference && p.depth)
+      remark = fmt::format("{} {:.4g} ({:+.1f} %)", job.reference_name, *shot.reference / scale,
+                           100 * (*p.depth / *shot.reference - 1));
+    table.rows.push_back({.what = fmt::format("{}, a = {}, {:.4g} m/s", shot.particle,
+                                              format_quantity(shot.radius, dimension::length), shot.speed),
+                          .unit = unit,
+                          .reference = over(shot.measured, scale),
+                          .ours = over(p.depth, scale),
+                          .error = over(p.spread, scale),
+                          .digits = 4,
+                          .remark = remark});
   }
   table.note = fmt::format("{} elements per radius, error: spread of {} runs", set.elements_per_radius, set.replicates);
-  if (result.mean_deviation_from_measured) table.note += "; mean deviation from the measured depths " + percent(*result.mean_deviation_from_measured);
-  if (result.mean_deviation_from_reference) table.note += fmt::format(", from the {}'s {}", job.reference_name, percent(*result.mean_deviation_from_reference));
+  if (result.mean_deviation_from_measured)
+    table.note += "; mean deviation from the measured depths " + percent(*result.mean_deviation_from_measured);
+  if (result.mean_deviation_from_reference)
+    table.note += fmt::format(", from the {}'s {}", job.reference_name, percent(*result.mean_deviation_from_reference));
   return table;
 }
 
 std::vector<std::string> findings(const IdentifyJob& job, const Identification& found) {
   std::vector<std::string> lines;
   if (found.alpha_scan) {
-    lines.push_back("alpha is fitted to the ridge's known pairs: the ridge is in-sample. The predictions and the model check are not.");
+    lines.push_back(
+        "alpha is fitted to the ridge's known pairs: the ridge is in-sample. The predictions and the model check are "
+        "not.");
     if (found.alpha_scan->at_edge) lines.push_back("the best alpha is at the edge of the scan: scan further");
   }
   if (job.convention == ModulusConvention::mu_over_alpha)
-    lines.push_back(fmt::format("every modulus is taken as W = (mu/alpha) sum lambda^alpha means it: the true small-strain modulus is {:.4g} times "
-                                "the one given. A modulus read off a stress-stretch curve is a true one; if {}'s moduli were, the {}'s true modulus would "
-                                "be {:.4g} MPa, not {:.4g} MPa.", true_modulus(1, found.alpha, job.convention), job.gelatin.name, job.tissue.name,
-                                found.tissue.mu / MPa, true_modulus(found.tissue.mu, found.alpha, job.convention) / MPa));
+    lines.push_back(
+        fmt::format("every modulus is taken as W = (mu/alpha) sum lambda^alpha means it: the true small-strain modulus "
+                    "is {:.4g} times "
+                    "the one given. A modulus read off a stress-stretch curve is a true one; if {}'s moduli were, the "
+                    "{}'s true modulus would "
+                    "be {:.4g} MPa, not {:.4g} MPa.",
+                    true_modulus(1, found.alpha, job.convention), job.gelatin.name, job.tissue.name,
+                    found.tissue.mu / MPa, true_modulus(found.tissue.mu, found.alpha, job.convention) / MPa));
   const double has = job.gelatin.density, should = *found.similarity.model.target_density;
   if (std::abs(has / should - 1) > 0.05)
-    lines.push_back(fmt::format("{} has {:.4g} kg/m3 where similarity asks for {:.4g}: its shots are not similar to the calibration impact, and the "
-                                "predictions at both densities show what that is worth.", job.gelatin.name, has, should));
-  if (!found.complete()) lines.push_back("the ridge does not reach the modulus that the model material gives: no erosion strain, no card");
+    lines.push_back(
+        fmt::format("{} has {:.4g} kg/m3 where similarity asks for {:.4g}: its shots are not similar to the "
+                    "calibration impact, and the "
+                    "predictions at both densities show what that is worth.",
+                    job.gelatin.name, has, should));
+  if (!found.complete())
+    lines.push_back("the ridge does not reach the modulus that the model material gives: no erosion strain, no card");
   return lines;
 }
 

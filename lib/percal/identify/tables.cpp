@@ -14,34 +14,70 @@ constexpr double kPa = 1e3, MPa = 1e6, cm = 1e-2, um = 1e-6;
 void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::vector<ComparisonTable>& tables) {
   const auto* scan = std::get_if<AlphaScan>(&job.alpha);
   if (!scan) return;
-  ComparisonTable moduli{.name = scan->target_name + ", identified modulus", .note = "as given; alpha was fitted to this table", .rows = {}};
-  ComparisonTable mapped{.name = scan->target_name + ", modulus of the model system", .note = "the printed tissue modulus carried over by pi4", .rows = {}};
+  ComparisonTable moduli{.name = scan->target_name + ", identified modulus",
+                         .note = "as given; alpha was fitted to this table",
+                         .rows = {}};
+  ComparisonTable mapped{.name = scan->target_name + ", modulus of the model system",
+                         .note = "the printed tissue modulus carried over by pi4",
+                         .rows = {}};
   for (const RidgePoint& point : found.ridge) {
     if (!point.known) continue;
-    moduli.rows.push_back({.what = fmt::format("erosion strain {}", point.erosion_strain), .unit = "MPa", .reference = point.known->mu / MPa,
+    moduli.rows.push_back({.what = fmt::format("erosion strain {}", point.erosion_strain),
+                           .unit = "MPa",
+                           .reference = point.known->mu / MPa,
                            .ours = point.mu != 0 ? std::optional(point.mu / MPa) : std::nullopt,
-                           .error = point.mu / MPa * std::hypot(point.solver_error, point.data_error), .digits = 4, .remark = ""});
+                           .error = point.mu / MPa * std::hypot(point.solver_error, point.data_error),
+                           .digits = 4,
+                           .remark = ""});
     if (point.known->mu_model)
-      mapped.rows.push_back({.what = fmt::format("{:.4g} MPa", point.known->mu / MPa), .unit = "kPa", .reference = *point.known->mu_model / kPa,
-                             .ours = map_modulus(point.known->mu, found.similarity.prototype, found.similarity.model) / kPa, .error = {}, .digits = 4, .remark = ""});
+      mapped.rows.push_back(
+          {.what = fmt::format("{:.4g} MPa", point.known->mu / MPa),
+           .unit = "kPa",
+           .reference = *point.known->mu_model / kPa,
+           .ours = map_modulus(point.known->mu, found.similarity.prototype, found.similarity.model) / kPa,
+           .error = {},
+           .digits = 4,
+           .remark = ""});
   }
   tables.push_back(std::move(moduli));
   if (!mapped.rows.empty()) tables.push_back(std::move(mapped));
 }
 
 void add_formulation_table(const IdentifyJob& job, const Identification& found, std::vector<ComparisonTable>& tables) {
-  ComparisonTable table{.name = job.gelatin.table + ", high-rate modulus by law and rate factor", .note = "", .rows = {}};
+  ComparisonTable table{
+      .name = job.gelatin.table + ", high-rate modulus by law and rate factor", .note = "", .rows = {}};
   for (const Formulation& f : job.gelatin.formulations)
-    table.rows.push_back({.what = fmt::format("{} wt%", f.concentration), .unit = "kPa", .reference = f.mu_high_rate ? std::optional(*f.mu_high_rate / kPa) : std::nullopt,
-                          .ours = high_rate_modulus(found.gelatin.law.at(f.concentration), job.gelatin.rate_factor) / kPa, .error = {}, .digits = 4, .remark = ""});
+    table.rows.push_back(
+        {.what = fmt::format("{} wt%", f.concentration),
+         .unit = "kPa",
+         .reference = f.mu_high_rate ? std::optional(*f.mu_high_rate / kPa) : std::nullopt,
+         .ours = high_rate_modulus(found.gelatin.law.at(f.concentration), job.gelatin.rate_factor) / kPa,
+         .error = {},
+         .digits = 4,
+         .remark = ""});
   tables.push_back(std::move(table));
 }
 
 void add_line(const ScaledLine& scaled, const Line& line, std::vector<ComparisonTable>& tables) {
-  const auto in_cm = [](const std::optional<double>& metres) { return metres ? std::optional(*metres / cm) : std::nullopt; };
-  ComparisonTable table{.name = scaled.shots_table + ": line through the model's shots", .note = "depth against rho v a", .rows = {}};
-  table.rows.push_back({.what = "slope", .unit = "cm per kg/(m s)", .reference = in_cm(scaled.reference_slope), .ours = line.slope / cm, .error = in_cm(line.slope_error), .digits = 5, .remark = ""});
-  table.rows.push_back({.what = "intercept", .unit = "cm", .reference = in_cm(scaled.reference_intercept), .ours = line.intercept / cm, .error = in_cm(line.intercept_error), .digits = 5, .remark = ""});
+  const auto in_cm = [](const std::optional<double>& metres) {
+    return metres ? std::optional(*metres / cm) : std::nullopt;
+  };
+  ComparisonTable table{
+      .name = scaled.shots_table + ": line through the model's shots", .note = "depth against rho v a", .rows = {}};
+  table.rows.push_back({.what = "slope",
+                        .unit = "cm per kg/(m s)",
+                        .reference = in_cm(scaled.reference_slope),
+                        .ours = line.slope / cm,
+                        .error = in_cm(line.slope_error),
+                        .digits = 5,
+                        .remark = ""});
+  table.rows.push_back({.what = "intercept",
+                        .unit = "cm",
+                        .reference = in_cm(scaled.reference_intercept),
+                        .ours = line.intercept / cm,
+                        .error = in_cm(line.intercept_error),
+                        .digits = 5,
+                        .remark = ""});
   tables.push_back(std::move(table));
 }
 
@@ -49,8 +85,7 @@ void add_scaled_line(const ScaledLine& scaled, const Identification& found, std:
   const Line line = depth_trend(scaled.shots);
   add_line(scaled, line, tables);
   const double speed_ratio = *found.similarity.model.speed / *found.similarity.prototype.speed;
-  ComparisonTable table{.name = scaled.name,
-                        .note = "from the line through the model's shots", .rows = {}};
+  ComparisonTable table{.name = scaled.name, .note = "from the line through the model's shots", .rows = {}};
   std::vector<double> computed, measured;
   for (const PredictedShot& shot : scaled.cases) {
     System prototype;
@@ -62,13 +97,24 @@ void add_scaled_line(const ScaledLine& scaled, const Identification& found, std:
       computed.push_back(depth);
       measured.push_back(*shot.measured);
     }
-    table.rows.push_back({.what = fmt::format("{}, a = {:.3g} um, {:.4g} m/s", shot.particle, shot.radius / um, shot.speed), .unit = "um",
-                          .reference = shot.reference ? std::optional(*shot.reference / um) : std::nullopt, .ours = depth / um, .error = {}, .digits = 4, .remark = ""});
+    table.rows.push_back(
+        {.what = fmt::format("{}, a = {:.3g} um, {:.4g} m/s", shot.particle, shot.radius / um, shot.speed),
+         .unit = "um",
+         .reference = shot.reference ? std::optional(*shot.reference / um) : std::nullopt,
+         .ours = depth / um,
+         .error = {},
+         .digits = 4,
+         .remark = ""});
   }
   if (!computed.empty())
-    table.rows.push_back({.what = "mean error against the measured depths", .unit = "%",
-                          .reference = scaled.reference_mean_error ? std::optional(100 * *scaled.reference_mean_error) : std::nullopt,
-                          .ours = 100 * mean_relative_error(computed, measured), .error = {}, .digits = 4, .remark = ""});
+    table.rows.push_back(
+        {.what = "mean error against the measured depths",
+         .unit = "%",
+         .reference = scaled.reference_mean_error ? std::optional(100 * *scaled.reference_mean_error) : std::nullopt,
+         .ours = 100 * mean_relative_error(computed, measured),
+         .error = {},
+         .digits = 4,
+         .remark = ""});
   tables.push_back(std::move(table));
 }
 
@@ -76,17 +122,25 @@ void add_prediction_tables(const IdentifyJob& job, const Identification& found, 
   for (const PredictionResult& result : found.predictions) {
     bool has_reference = false;
     for (const PredictedShot& shot : result.set->shots) has_reference |= shot.reference.has_value();
-    const std::string system = result.set->table.empty() ? result.set->system : result.set->table + ", " + result.set->system;
+    const std::string system =
+        result.set->table.empty() ? result.set->system : result.set->table + ", " + result.set->system;
     ComparisonTable table{.name = fmt::format("{} ({:.5g} kg/m3)", system, result.set->target_density),
-                          .note = has_reference ? "beside the " + job.reference_name + "'s finite elements" : "beside the measured depths", .rows = {}};
+                          .note = has_reference ? "beside the " + job.reference_name + "'s finite elements"
+                                                : "beside the measured depths",
+                          .rows = {}};
     for (std::size_t i = 0; i < result.shots.size(); ++i) {
       const PredictedShot& shot = result.set->shots[i];
       const double unit = shot.radius < 1e-4 ? um : cm;
       const auto other = has_reference ? shot.reference : shot.measured;
       const Penetration& p = result.shots[i].penetration;
-      table.rows.push_back({.what = fmt::format("{}, a = {:.4g} mm, {:.4g} m/s", shot.particle, shot.radius * 1e3, shot.speed), .unit = unit == um ? "um" : "cm",
-                            .reference = other ? std::optional(*other / unit) : std::nullopt, .ours = p.depth ? std::optional(*p.depth / unit) : std::nullopt,
-                            .error = p.standard_error ? std::optional(*p.standard_error / unit) : std::nullopt, .digits = 4, .remark = p.depth ? "" : word(p.outcome)});
+      table.rows.push_back(
+          {.what = fmt::format("{}, a = {:.4g} mm, {:.4g} m/s", shot.particle, shot.radius * 1e3, shot.speed),
+           .unit = unit == um ? "um" : "cm",
+           .reference = other ? std::optional(*other / unit) : std::nullopt,
+           .ours = p.depth ? std::optional(*p.depth / unit) : std::nullopt,
+           .error = p.standard_error ? std::optional(*p.standard_error / unit) : std::nullopt,
+           .digits = 4,
+           .remark = p.depth ? "" : word(p.outcome)});
     }
     tables.push_back(std::move(table));
   }
@@ -98,8 +152,20 @@ void add_trends(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
   for (const TrendTable& trend : job.trends) {
     const Line line = line_of(trend);
     ComparisonTable table{.name = trend.name + ": line", .note = trend.y_name + " against " + trend.x_name, .rows = {}};
-    table.rows.push_back({.what = "slope", .unit = trend.unit, .reference = trend.reference_slope, .ours = line.slope, .error = line.slope_error, .digits = 5, .remark = ""});
-    table.rows.push_back({.what = "intercept", .unit = "", .reference = trend.reference_intercept, .ours = line.intercept, .error = line.intercept_error, .digits = 5, .remark = ""});
+    table.rows.push_back({.what = "slope",
+                          .unit = trend.unit,
+                          .reference = trend.reference_slope,
+                          .ours = line.slope,
+                          .error = line.slope_error,
+                          .digits = 5,
+                          .remark = ""});
+    table.rows.push_back({.what = "intercept",
+                          .unit = "",
+                          .reference = trend.reference_intercept,
+                          .ours = line.intercept,
+                          .error = line.intercept_error,
+                          .digits = 5,
+                          .remark = ""});
     tables.push_back(std::move(table));
   }
 }
@@ -107,7 +173,10 @@ void add_trends(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
 void add_equal_mass(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
   if (!job.equal_mass) return;
   const EqualMass& equal = *job.equal_mass;
-  ComparisonTable table{.name = equal.table, .note = fmt::format("{:.4g} g at {:.4g} m/s, each from its own line", equal.mass * 1e3, equal.speed), .rows = {}};
+  ComparisonTable table{
+      .name = equal.table,
+      .note = fmt::format("{:.4g} g at {:.4g} m/s, each from its own line", equal.mass * 1e3, equal.speed),
+      .rows = {}};
   for (const auto& shape : equal.shapes) {
     double depth = 0;
     if (shape.trend.empty()) {
@@ -120,7 +189,13 @@ void add_equal_mass(const IdentifyJob& job, std::vector<ComparisonTable>& tables
         if (trend.name == shape.trend) depth = line_of(trend).at(equal.speed / trend.x_unit) * trend.y_unit;
       if (shape.mass) depth *= equal_mass_prism_scale(*shape.mass, equal.mass);
     }
-    table.rows.push_back({.what = shape.name, .unit = "cm", .reference = shape.reference / cm, .ours = depth / cm, .error = {}, .digits = 3, .remark = ""});
+    table.rows.push_back({.what = shape.name,
+                          .unit = "cm",
+                          .reference = shape.reference / cm,
+                          .ours = depth / cm,
+                          .error = {},
+                          .digits = 3,
+                          .remark = ""});
   }
   tables.push_back(std::move(table));
 }

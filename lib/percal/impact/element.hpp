@@ -7,18 +7,23 @@
 namespace percal::PERCAL_LEVEL {
 
 // Deformation gradient at the element's centre: the in-plane part and the hoop stretch.
-template <class V> struct Gradient { V rr, rz, zr, zz, hoop; };
+template <class V>
+struct Gradient {
+  V rr, rz, zr, zz, hoop;
+};
 
 // Principal stretches and what follows from them. In-plane: C = mean 1 + [half_difference, shear; shear, -half_difference].
-template <class V> struct Stretches {
-  V first2, second2;           // squared in-plane principal stretches, first2 >= second2
+template <class V>
+struct Stretches {
+  V first2, second2;                // squared in-plane principal stretches, first2 >= second2
   V half_difference, shear, split;  // split = (first2 - second2)/2
   V in_plane_jacobian, jacobian;    // bounded below by 1e-3
   V unbounded_jacobian;
   V inverse_first2, inverse_second2, inverse_hoop, inverse_split, inverse_jacobian;
 };
 
-template <class V> PERCAL_INLINE Stretches<V> stretches(const Gradient<V>& F) {
+template <class V>
+PERCAL_INLINE Stretches<V> stretches(const Gradient<V>& F) {
   using Real = RealOf<V>;
   const V smallest = broadcast<V>(Real(1e-3));
   Stretches<V> s;
@@ -46,11 +51,15 @@ template <class V> PERCAL_INLINE Stretches<V> stretches(const Gradient<V>& F) {
 }
 
 // g_i = lambda_bar_i^alpha.
-template <class V> struct IsochoricPowers { V first, second, hoop; };
+template <class V>
+struct IsochoricPowers {
+  V first, second, hoop;
+};
 
 // Two logarithms and two exponentials: with s = J_in-plane, ln lambda_bar_1 = ln(first2 / (second2 hoop^2))/6 + ..., and the three
 // isochoric powers multiply to 1.
-template <class V> PERCAL_INLINE IsochoricPowers<V> isochoric_powers(const Gradient<V>& F, const Stretches<V>& s, RealOf<V> alpha) {
+template <class V>
+PERCAL_INLINE IsochoricPowers<V> isochoric_powers(const Gradient<V>& F, const Stretches<V>& s, RealOf<V> alpha) {
   using Real = RealOf<V>;
   IsochoricPowers<V> g;
   const V first = s.first2 * s.first2 * s.inverse_second2 * s.inverse_hoop * s.inverse_hoop;  // lambda_bar_1^6
@@ -62,16 +71,26 @@ template <class V> PERCAL_INLINE IsochoricPowers<V> isochoric_powers(const Gradi
 }
 
 // Principal Kirchhoff stresses lambda_i dW/dlambda_i of the isochoric part: (2 mu/alpha) (g_i - mean g).
-template <class V> struct PrincipalStress { V first, second, hoop; };
-template <class V> PERCAL_INLINE PrincipalStress<V> isochoric_stress(const IsochoricPowers<V>& g, RealOf<V> two_mu_over_alpha) {
+template <class V>
+struct PrincipalStress {
+  V first, second, hoop;
+};
+template <class V>
+PERCAL_INLINE PrincipalStress<V> isochoric_stress(const IsochoricPowers<V>& g, RealOf<V> two_mu_over_alpha) {
   const V mean = (g.first + g.second + g.hoop) * RealOf<V>(1.0 / 3);
-  return {two_mu_over_alpha * (g.first - mean), two_mu_over_alpha * (g.second - mean), two_mu_over_alpha * (g.hoop - mean)};
+  return {two_mu_over_alpha * (g.first - mean), two_mu_over_alpha * (g.second - mean),
+          two_mu_over_alpha * (g.hoop - mean)};
 }
 
 // First Piola stress from the principal Kirchhoff stresses t_i and a Kirchhoff pressure-like part added to each:
 // P = F S with the in-plane S = mean 1 + (S_1 - S_2)/(2 split) [half_difference, shear; shear, -half_difference].
-template <class V> struct Piola { V rr, rz, zr, zz, hoop; };
-template <class V> PERCAL_INLINE Piola<V> first_piola(const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t, V volumetric) {
+template <class V>
+struct Piola {
+  V rr, rz, zr, zz, hoop;
+};
+template <class V>
+PERCAL_INLINE Piola<V> first_piola(const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
+                                   V volumetric) {
   using Real = RealOf<V>;
   const V S1 = (t.first + volumetric) * s.inverse_first2, S2 = (t.second + volumetric) * s.inverse_second2;
   const V mean = Real(0.5) * (S1 + S2), part = Real(0.5) * (S1 - S2) * s.inverse_split;
@@ -86,7 +105,10 @@ inline constexpr double axis_hoop_share = 0.25;
 
 // What decides the stable step of an element (docs/theory/impact.md, "Stable step").
 // stiffness = 1/dt^2 of the undamped element, over_stretch = sum of w_i / lambda_i^2, the share that viscosity acts through.
-template <class V> struct StepBound { V stiffness, over_stretch; };
+template <class V>
+struct StepBound {
+  V stiffness, over_stretch;
+};
 template <class V>
 PERCAL_INLINE StepBound<V> step_bound(const Stretches<V>& s, const IsochoricPowers<V>& g, const PrincipalStress<V>& t,
                                       RealOf<V> mu, RealOf<V> bulk, RealOf<V> per_width2, RealOf<V> per_height2,

@@ -32,7 +32,8 @@ struct Level {
 std::array<Level, 3> levels() {
   const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
   const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                  __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+                  __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                  __builtin_cpu_supports("avx512vl");
   return {Level{"x86_64_v4", v4, &x86_64_v4::single_kernel, &x86_64_v4::double_kernel},
           Level{"x86_64_v3", v3, &x86_64_v3::single_kernel, &x86_64_v3::double_kernel},
           Level{"x86_64_v2", true, &x86_64_v2::single_kernel, &x86_64_v2::double_kernel}};
@@ -64,7 +65,13 @@ const Level& chosen() {
 }  // namespace
 
 const std::string& instruction_level() { return chosen().name; }
-template <> const Kernel<float>& kernel<float>() { return *chosen().single_kernel; }
-template <> const Kernel<double>& kernel<double>() { return *chosen().double_kernel; }
+template <>
+const Kernel<float>& kernel<float>() {
+  return *chosen().single_kernel;
+}
+template <>
+const Kernel<double>& kernel<double>() {
+  return *chosen().double_kernel;
+}
 
 }  // namespace percal

@@ -5,12 +5,21 @@
 namespace percal::PERCAL_LEVEL {
 namespace {
 
-template <class Real> struct VectorOf;
-template <> struct VectorOf<float> { using type = FloatLanes::Vector; };
-template <> struct VectorOf<double> { using type = DoubleLanes::Vector; };
+template <class Real>
+struct VectorOf;
+template <>
+struct VectorOf<float> {
+  using type = FloatLanes::Vector;
+};
+template <>
+struct VectorOf<double> {
+  using type = DoubleLanes::Vector;
+};
 
 template <class Real>
-void clear(Real* column, int count) { __builtin_memset(column, 0, sizeof(Real) * static_cast<unsigned>(count)); }
+void clear(Real* column, int count) {
+  __builtin_memset(column, 0, sizeof(Real) * static_cast<unsigned>(count));
+}
 
 // Forces on the corners of a column of elements: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner
 // lower (i, j+1).
@@ -25,13 +34,18 @@ void internal_forces(const FieldsView<Real>& fields, int column, int row_end, co
   Real *jacobian = fields.jacobian + inner, *viscous = fields.viscous_pressure + inner;
   const Real* alive = fields.alive + inner;
   const int padded_end = (row_end + lanes - 1) / lanes * lanes;
-  if (column == 0) { clear(fr0, padded_end + 1); clear(fz0, padded_end + 1); }
-  clear(fr1, padded_end + 1); clear(fz1, padded_end + 1);
+  if (column == 0) {
+    clear(fr0, padded_end + 1);
+    clear(fz0, padded_end + 1);
+  }
+  clear(fr1, padded_end + 1);
+  clear(fz1, padded_end + 1);
 
   const double area = shape.width * shape.height, volume = shape.mean_radius * area;
   const Real half_per_width = Real(0.5 / shape.width), half_per_height = Real(0.5 / shape.height);
   const Real quarter_per_radius = Real(0.25 / shape.mean_radius);
-  const Real to_r = Real(volume * 0.5 / shape.width), to_z = Real(volume * 0.5 / shape.height), to_hoop = Real(0.25 * area);
+  const Real to_r = Real(volume * 0.5 / shape.width), to_z = Real(volume * 0.5 / shape.height),
+             to_hoop = Real(0.25 * area);
   const Real hourglass = Real(material.hourglass * material.mu / 12 *
                               (shape.height / shape.width + shape.width / shape.height) * shape.mean_radius);
   const Real mu = Real(material.mu), bulk = Real(material.bulk), alpha = Real(material.alpha);
@@ -42,20 +56,25 @@ void internal_forces(const FieldsView<Real>& fields, int column, int row_end, co
   const Real linear = Real(material.linear_viscosity), quadratic = Real(material.quadratic_viscosity);
   const Real per_step = previous_step > 0 ? Real(1 / previous_step) : Real(0);
   const double largest = 1e30;
-  const Real stretch2 = Real(material.erosion_stretch < 1e15 ? material.erosion_stretch * material.erosion_stretch : largest);
+  const Real stretch2 =
+      Real(material.erosion_stretch < 1e15 ? material.erosion_stretch * material.erosion_stretch : largest);
   const Real smallest_jacobian = Real(material.smallest_jacobian);
-  const Real inverse_step_limit = Real(material.largest_inverse_step < largest ? material.largest_inverse_step : largest);
+  const Real inverse_step_limit =
+      Real(material.largest_inverse_step < largest ? material.largest_inverse_step : largest);
 
   const V zero{};
-  V lower_r0 = zero, lower_z0 = zero, lower_r1 = zero, lower_z1 = zero;  // what the rows before gave to their lower corners
+  V lower_r0 = zero, lower_z0 = zero, lower_r1 = zero,
+    lower_z1 = zero;  // what the rows before gave to their lower corners
   V work = zero, steepest = zero, tightest = broadcast<V>(Real(1e30));
   int count = 0;
 
   for (int j = 0; j < padded_end; j += lanes) {
     auto live = load<V>(alive + j) > Real(0);
     if (!any(live)) {
-      fr0[j] += lower_r0[lanes - 1]; fz0[j] += lower_z0[lanes - 1];
-      fr1[j] += lower_r1[lanes - 1]; fz1[j] += lower_z1[lanes - 1];
+      fr0[j] += lower_r0[lanes - 1];
+      fz0[j] += lower_z0[lanes - 1];
+      fr1[j] += lower_r1[lanes - 1];
+      fz1[j] += lower_z1[lanes - 1];
       lower_r0 = lower_z0 = lower_r1 = lower_z1 = zero;
       continue;
     }
@@ -92,33 +111,45 @@ void internal_forces(const FieldsView<Real>& fields, int column, int row_end, co
     auto gone = live & ((largest_stretch2 > stretch2) | (s.unbounded_jacobian < smallest_jacobian) |
                         (inverse_step > inverse_step_limit));
     if (__builtin_expect(any(gone), 0)) {
-      for (int l = 0; l < lanes; ++l) if (gone[l]) doomed[count++] = j + l;
+      for (int l = 0; l < lanes; ++l)
+        if (gone[l]) doomed[count++] = j + l;
       live = live & ~gone;
     }
     steepest = larger(steepest, select(live, inverse_step, zero));
     tightest = smaller(tightest, select(live, s.unbounded_jacobian, tightest));
-    work += select(load<V>(alive + j) > Real(0), Real(0.5) * (old_viscous + select(live, q, zero)) * (old_jacobian - s.jacobian), zero);
+    work += select(load<V>(alive + j) > Real(0),
+                   Real(0.5) * (old_viscous + select(live, q, zero)) * (old_jacobian - s.jacobian), zero);
     store(jacobian + j, s.jacobian);
     store(viscous + j, select(live, q, zero));
 
     // Scatter.
     const V rr = P.rr * to_r, rz = P.rz * to_z, zr = P.zr * to_r, zz = P.zz * to_z, hoop = P.hoop * to_hoop;
     const V sum_r = rr + rz, difference_r = rr - rz, sum_z = zr + zz, difference_z = zr - zz;
-    const V upper_r0 = select(live, sum_r - hoop - hourglass_r, zero), upper_r1 = select(live, hourglass_r - hoop - difference_r, zero);
-    const V below_r1 = select(live, -sum_r - hoop - hourglass_r, zero), below_r0 = select(live, difference_r - hoop + hourglass_r, zero);
-    const V upper_z0 = select(live, sum_z - hourglass_z, zero), upper_z1 = select(live, hourglass_z - difference_z, zero);
-    const V below_z1 = select(live, -sum_z - hourglass_z, zero), below_z0 = select(live, difference_z + hourglass_z, zero);
+    const V upper_r0 = select(live, sum_r - hoop - hourglass_r, zero),
+            upper_r1 = select(live, hourglass_r - hoop - difference_r, zero);
+    const V below_r1 = select(live, -sum_r - hoop - hourglass_r, zero),
+            below_r0 = select(live, difference_r - hoop + hourglass_r, zero);
+    const V upper_z0 = select(live, sum_z - hourglass_z, zero),
+            upper_z1 = select(live, hourglass_z - difference_z, zero);
+    const V below_z1 = select(live, -sum_z - hourglass_z, zero),
+            below_z0 = select(live, difference_z + hourglass_z, zero);
     store(fr0 + j, load<V>(fr0 + j) + (upper_r0 + shifted(below_r0, lower_r0)));
     store(fz0 + j, load<V>(fz0 + j) + (upper_z0 + shifted(below_z0, lower_z0)));
     store(fr1 + j, upper_r1 + shifted(below_r1, lower_r1));
     store(fz1 + j, upper_z1 + shifted(below_z1, lower_z1));
-    lower_r0 = below_r0; lower_z0 = below_z0; lower_r1 = below_r1; lower_z1 = below_z1;
+    lower_r0 = below_r0;
+    lower_z0 = below_z0;
+    lower_r1 = below_r1;
+    lower_z1 = below_z1;
   }
-  fr0[padded_end] += lower_r0[lanes - 1]; fz0[padded_end] += lower_z0[lanes - 1];
-  fr1[padded_end] += lower_r1[lanes - 1]; fz1[padded_end] += lower_z1[lanes - 1];
+  fr0[padded_end] += lower_r0[lanes - 1];
+  fz0[padded_end] += lower_z0[lanes - 1];
+  fr1[padded_end] += lower_r1[lanes - 1];
+  fz1[padded_end] += lower_z1[lanes - 1];
 
   report.viscous_work += volume * lane_sum(work);
-  const double inverse_step = static_cast<double>(lane_largest(steepest)), least = static_cast<double>(lane_smallest(tightest));
+  const double inverse_step = static_cast<double>(lane_largest(steepest)),
+               least = static_cast<double>(lane_smallest(tightest));
   if (inverse_step > report.largest_inverse_step) report.largest_inverse_step = inverse_step;
   if (least < report.smallest_jacobian) report.smallest_jacobian = least;
   report.doomed = count;
@@ -126,8 +157,8 @@ void internal_forces(const FieldsView<Real>& fields, int column, int row_end, co
 
 // Frictionless penalty: a node inside the sphere by `gap` is pushed out along the radius with force stiffness gap.
 template <class Real>
-void sphere_contact(const FieldsView<Real>& fields, int column, double radius, double row_height, int row_begin, int row_end,
-                    double centre, SphereReport& report) {
+void sphere_contact(const FieldsView<Real>& fields, int column, double radius, double row_height, int row_begin,
+                    int row_end, double centre, SphereReport& report) {
   using V = typename VectorOf<Real>::type;
   constexpr int lanes = Lane<V>::count;
   const long start = static_cast<long>(column) * fields.stride;
@@ -140,7 +171,8 @@ void sphere_contact(const FieldsView<Real>& fields, int column, double radius, d
     const V k = load<V>(stiffness + j);
     if (!any(k > Real(0))) continue;
     const V r = load<V>(ur + j) + static_cast<Real>(radius);
-    const V z = load<V>(uz + j) + (below_first + static_cast<Real>(j * row_height - centre));  // from the centre downwards
+    const V z =
+        load<V>(uz + j) + (below_first + static_cast<Real>(j * row_height - centre));  // from the centre downwards
     const V distance2 = r * r + z * z;
     const auto touching = (distance2 < Real(1)) & (k > Real(0));
     if (!any(touching)) continue;
@@ -169,7 +201,8 @@ void kick_and_drift(const FieldsView<Real>& fields, int column, int row_end, dou
     const V per_mass = load<V>(inverse_mass + j);
     const V r = load<V>(vr + j) + (load<V>(fr + j) * per_mass) * kick_r;
     const V z = load<V>(vz + j) + (load<V>(fz + j) * per_mass) * kick_z;
-    store(vr + j, r); store(vz + j, z);
+    store(vr + j, r);
+    store(vz + j, z);
     store(ur + j, load<V>(ur + j) + r * dt);
     store(uz + j, load<V>(uz + j) + z * dt);
   }
@@ -179,7 +212,9 @@ void kick_and_drift(const FieldsView<Real>& fields, int column, int row_end, dou
 
 extern const Kernel<float> single_kernel;
 extern const Kernel<double> double_kernel;
-const Kernel<float> single_kernel{internal_forces<float>, sphere_contact<float>, kick_and_drift<float>, FloatLanes::count};
-const Kernel<double> double_kernel{internal_forces<double>, sphere_contact<double>, kick_and_drift<double>, DoubleLanes::count};
+const Kernel<float> single_kernel{internal_forces<float>, sphere_contact<float>, kick_and_drift<float>,
+                                  FloatLanes::count};
+const Kernel<double> double_kernel{internal_forces<double>, sphere_contact<double>, kick_and_drift<double>,
+                                   DoubleLanes::count};
 
 }  // namespace percal::PERCAL_LEVEL

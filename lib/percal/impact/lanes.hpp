@@ -23,7 +23,8 @@ inline constexpr int vector_bytes = 16;
 #endif
 
 // For V = a vector or a scalar: its scalar type, the signed integers of the same size, and how many lanes it has.
-template <class V> struct Lane;
+template <class V>
+struct Lane;
 template <class Scalar, class Integer, int bytes>
 struct VectorLane {
   using Real = Scalar;
@@ -33,83 +34,145 @@ struct VectorLane {
 };
 using FloatLanes = VectorLane<float, int, vector_bytes>;
 using DoubleLanes = VectorLane<double, long, vector_bytes>;
-template <> struct Lane<FloatLanes::Vector> : FloatLanes {};
-template <> struct Lane<DoubleLanes::Vector> : DoubleLanes {};
-template <> struct Lane<float> { using Real = float; using Bits = int; static constexpr int count = 1; };
-template <> struct Lane<double> { using Real = double; using Bits = long; static constexpr int count = 1; };
+template <>
+struct Lane<FloatLanes::Vector> : FloatLanes {};
+template <>
+struct Lane<DoubleLanes::Vector> : DoubleLanes {};
+template <>
+struct Lane<float> {
+  using Real = float;
+  using Bits = int;
+  static constexpr int count = 1;
+};
+template <>
+struct Lane<double> {
+  using Real = double;
+  using Bits = long;
+  static constexpr int count = 1;
+};
 
-template <class V> using RealOf = typename Lane<V>::Real;
-template <class V> using BitsOf = typename Lane<V>::Bits;
+template <class V>
+using RealOf = typename Lane<V>::Real;
+template <class V>
+using BitsOf = typename Lane<V>::Bits;
 
 #define PERCAL_INLINE inline __attribute__((always_inline))
 
-template <class V> PERCAL_INLINE V load(const RealOf<V>* from) { V v; __builtin_memcpy(&v, from, sizeof v); return v; }
-template <class V> PERCAL_INLINE void store(RealOf<V>* to, V v) { __builtin_memcpy(to, &v, sizeof v); }
-template <class To, class From> PERCAL_INLINE To same_bits(From from) {
-  static_assert(sizeof(To) == sizeof(From));
-  To to; __builtin_memcpy(&to, &from, sizeof to); return to;
+template <class V>
+PERCAL_INLINE V load(const RealOf<V>* from) {
+  V v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
 }
-template <class V> PERCAL_INLINE V broadcast(RealOf<V> x) { return V{} + x; }
+template <class V>
+PERCAL_INLINE void store(RealOf<V>* to, V v) {
+  __builtin_memcpy(to, &v, sizeof v);
+}
+template <class To, class From>
+PERCAL_INLINE To same_bits(From from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  __builtin_memcpy(&to, &from, sizeof to);
+  return to;
+}
+template <class V>
+PERCAL_INLINE V broadcast(RealOf<V> x) {
+  return V{} + x;
+}
 
 // take_first ? a : b, lane by lane; take_first is what a comparison of V returns.
-template <class M, class V> PERCAL_INLINE V select(M take_first, V a, V b) { return take_first ? a : b; }
-template <class V> PERCAL_INLINE V larger(V a, V b) { return a > b ? a : b; }
-template <class V> PERCAL_INLINE V smaller(V a, V b) { return a < b ? a : b; }
+template <class M, class V>
+PERCAL_INLINE V select(M take_first, V a, V b) {
+  return take_first ? a : b;
+}
+template <class V>
+PERCAL_INLINE V larger(V a, V b) {
+  return a > b ? a : b;
+}
+template <class V>
+PERCAL_INLINE V smaller(V a, V b) {
+  return a < b ? a : b;
+}
 
 PERCAL_INLINE float square_root(float x) { return __builtin_sqrtf(x); }
 PERCAL_INLINE double square_root(double x) { return __builtin_sqrt(x); }
 #if defined(__AVX512F__)
-PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm512_sqrt_ps((__m512)x); }
-PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm512_sqrt_pd((__m512d)x); }
+PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) {
+  return (FloatLanes::Vector)_mm512_sqrt_ps((__m512)x);
+}
+PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) {
+  return (DoubleLanes::Vector)_mm512_sqrt_pd((__m512d)x);
+}
 #elif defined(__AVX2__)
-PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm256_sqrt_ps((__m256)x); }
-PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm256_sqrt_pd((__m256d)x); }
+PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) {
+  return (FloatLanes::Vector)_mm256_sqrt_ps((__m256)x);
+}
+PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) {
+  return (DoubleLanes::Vector)_mm256_sqrt_pd((__m256d)x);
+}
 #elif defined(__SSE4_2__)
-PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) { return (FloatLanes::Vector)_mm_sqrt_ps((__m128)x); }
-PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) { return (DoubleLanes::Vector)_mm_sqrt_pd((__m128d)x); }
+PERCAL_INLINE FloatLanes::Vector square_root(FloatLanes::Vector x) {
+  return (FloatLanes::Vector)_mm_sqrt_ps((__m128)x);
+}
+PERCAL_INLINE DoubleLanes::Vector square_root(DoubleLanes::Vector x) {
+  return (DoubleLanes::Vector)_mm_sqrt_pd((__m128d)x);
+}
 #else
-template <class V> PERCAL_INLINE V square_root(V x) {
+template <class V>
+PERCAL_INLINE V square_root(V x) {
   for (int l = 0; l < Lane<V>::count; ++l) x[l] = square_root(x[l]);
   return x;
 }
 #endif
 
 // Whether a mask, as comparisons return it, is set in some lane.
-template <class M> PERCAL_INLINE bool any(M mask) {
+template <class M>
+PERCAL_INLINE bool any(M mask) {
 #if defined(__AVX512F__)
-  if constexpr (sizeof(mask[0]) == 4) return _mm512_test_epi32_mask((__m512i)mask, (__m512i)mask) != 0;
-  else return _mm512_test_epi64_mask((__m512i)mask, (__m512i)mask) != 0;
+  if constexpr (sizeof(mask[0]) == 4)
+    return _mm512_test_epi32_mask((__m512i)mask, (__m512i)mask) != 0;
+  else
+    return _mm512_test_epi64_mask((__m512i)mask, (__m512i)mask) != 0;
 #elif defined(__AVX2__)
-  if constexpr (sizeof(mask[0]) == 4) return _mm256_movemask_ps((__m256)mask) != 0;
-  else return _mm256_movemask_pd((__m256d)mask) != 0;
+  if constexpr (sizeof(mask[0]) == 4)
+    return _mm256_movemask_ps((__m256)mask) != 0;
+  else
+    return _mm256_movemask_pd((__m256d)mask) != 0;
 #elif defined(__SSE4_2__)
-  if constexpr (sizeof(mask[0]) == 4) return _mm_movemask_ps((__m128)mask) != 0;
-  else return _mm_movemask_pd((__m128d)mask) != 0;
+  if constexpr (sizeof(mask[0]) == 4)
+    return _mm_movemask_ps((__m128)mask) != 0;
+  else
+    return _mm_movemask_pd((__m128d)mask) != 0;
 #else
-  for (unsigned l = 0; l < sizeof(M) / sizeof(mask[0]); ++l) if (mask[l]) return true;
+  for (unsigned l = 0; l < sizeof(M) / sizeof(mask[0]); ++l)
+    if (mask[l]) return true;
   return false;
 #endif
 }
 
 // The sum and the extremes over the lanes, in lane order.
-template <class V> PERCAL_INLINE double lane_sum(V v) {
+template <class V>
+PERCAL_INLINE double lane_sum(V v) {
   double sum = 0;
   for (int l = 0; l < Lane<V>::count; ++l) sum += v[l];
   return sum;
 }
-template <class V> PERCAL_INLINE RealOf<V> lane_largest(V v) {
+template <class V>
+PERCAL_INLINE RealOf<V> lane_largest(V v) {
   RealOf<V> x = v[0];
   for (int l = 1; l < Lane<V>::count; ++l) x = v[l] > x ? v[l] : x;
   return x;
 }
-template <class V> PERCAL_INLINE RealOf<V> lane_smallest(V v) {
+template <class V>
+PERCAL_INLINE RealOf<V> lane_smallest(V v) {
   RealOf<V> x = v[0];
   for (int l = 1; l < Lane<V>::count; ++l) x = v[l] < x ? v[l] : x;
   return x;
 }
 
 // `now` moved up by one lane, the last lane of `before` moving in: what element j-1 gives to node j.
-template <class V> PERCAL_INLINE V shifted(V now, V before) {
+template <class V>
+PERCAL_INLINE V shifted(V now, V before) {
   constexpr int count = Lane<V>::count;
 #if defined(__clang__)
   V up{};
@@ -126,29 +189,39 @@ template <class V> PERCAL_INLINE V shifted(V now, V before) {
 // --- log2 and exp2 --------------------------------------------------------------------------------------------------
 // Own versions: libm has no lanes, and these give every lane the same bits whatever the width. Ranges: normal numbers in,
 // |x| clamped to 126 (float) or 1022 (double) for exp2. Errors are held in tests/impact.
-template <class Real> struct FloatFormat;
-template <> struct FloatFormat<float> {
+template <class Real>
+struct FloatFormat;
+template <>
+struct FloatFormat<float> {
   static constexpr int mantissa_bits = 23, bias = 127, largest_power = 126, log_terms = 5, exp_terms = 7;
-  static constexpr int root_half = 0x3f3504f3;      // the bits of sqrt(1/2)
-  static constexpr float rounder = 12582912.0f;     // 1.5 2^23: adding it rounds to an integer
+  static constexpr int root_half = 0x3f3504f3;   // the bits of sqrt(1/2)
+  static constexpr float rounder = 12582912.0f;  // 1.5 2^23: adding it rounds to an integer
 };
-template <> struct FloatFormat<double> {
+template <>
+struct FloatFormat<double> {
   static constexpr int mantissa_bits = 52, bias = 1023, largest_power = 1022, log_terms = 11, exp_terms = 13;
   static constexpr long root_half = 0x3fe6a09e667f3bcdL;
   static constexpr double rounder = 6755399441055744.0;  // 1.5 2^52
 };
 
 // (2/ln 2)/(2k + 1): the series of log2((1 + s)/(1 - s)) in odd powers of s.
-template <class Real> constexpr Real log_coefficient(int k) { return static_cast<Real>(2.8853900817779268147 / (2 * k + 1)); }
+template <class Real>
+constexpr Real log_coefficient(int k) {
+  return static_cast<Real>(2.8853900817779268147 / (2 * k + 1));
+}
 // ln(2)^k / k!: the series of 2^x.
-template <class Real> constexpr Real exp_coefficient(int k) {
+template <class Real>
+constexpr Real exp_coefficient(int k) {
   double c = 1;
   for (int i = 1; i <= k; ++i) c *= 0.69314718055994530942 / i;
   return static_cast<Real>(c);
 }
 
-template <class V> PERCAL_INLINE V log2_of(V x) {
-  using Real = RealOf<V>; using Bits = BitsOf<V>; using Format = FloatFormat<Real>;
+template <class V>
+PERCAL_INLINE V log2_of(V x) {
+  using Real = RealOf<V>;
+  using Bits = BitsOf<V>;
+  using Format = FloatFormat<Real>;
   const Bits bits = same_bits<Bits>(x);
   const Bits power = (bits - Format::root_half) >> Format::mantissa_bits;
   const V m = same_bits<V>(Bits(bits - (power << Format::mantissa_bits)));  // in [sqrt(1/2), sqrt 2)
@@ -161,8 +234,11 @@ template <class V> PERCAL_INLINE V log2_of(V x) {
   return series * s + exponent;
 }
 
-template <class V> PERCAL_INLINE V exp2_of(V x) {
-  using Real = RealOf<V>; using Bits = BitsOf<V>; using Format = FloatFormat<Real>;
+template <class V>
+PERCAL_INLINE V exp2_of(V x) {
+  using Real = RealOf<V>;
+  using Bits = BitsOf<V>;
+  using Format = FloatFormat<Real>;
   const Real limit = Format::largest_power;
   x = smaller(larger(x, broadcast<V>(-limit)), broadcast<V>(limit));
   const V shifted_up = x + Format::rounder;

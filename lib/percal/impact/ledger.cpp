@@ -16,10 +16,12 @@ constexpr double hourglass_mode[4] = {1, -1, 1, -1};
 }  // namespace
 
 template <class Real>
-ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& material, int column, int row, double last_step) {
+ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& material, int column, int row,
+                             double last_step) {
   const auto& view = block.view();
   const auto& shape = block.shapes()[column];
-  const long corner[4] = {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1), block.at(column, row + 1)};
+  const long corner[4] = {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1),
+                          block.at(column, row + 1)};
   const double width = shape.width, height = shape.height, radius = shape.mean_radius, volume = radius * width * height;
 
   scalar::Gradient<double> F{1, 0, 0, 1, 1};
@@ -38,19 +40,21 @@ ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& 
   const auto s = scalar::stretches(F);
   const auto g = scalar::isochoric_powers(F, s, material.alpha);
   const double J = s.jacobian, alpha = material.alpha, mu = material.mu;
-  const double density = 2 * mu / (alpha * alpha) * (g.first + g.second + g.hoop - 3) +
-                         material.bulk / 4 * (J * J - 1 - 2 * std::log(J));
+  const double density =
+      2 * mu / (alpha * alpha) * (g.first + g.second + g.hoop - 3) + material.bulk / 4 * (J * J - 1 - 2 * std::log(J));
   const double stiffness = material.hourglass * mu / 12 * (height / width + width / height) * radius;
   ElementEnergy energy;
   energy.elastic = volume * density;
   energy.largest_stretch = std::sqrt(std::max(s.first2, F.hoop * F.hoop));
   energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
   if (last_step > 0) {
-    const auto P = scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * mu / alpha), material.bulk / 2 * (J * J - 1));
+    const auto P =
+        scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * mu / alpha), material.bulk / 2 * (J * J - 1));
     double power = 0;
     for (int a = 0; a < 4; ++a) {
       const double nr = along_r[a] / width, nz = along_z[a] / height;
-      const double fr = -volume * (P.rr * nr + P.rz * nz + P.hoop / (4 * radius)) - stiffness * hourglass_mode[a] * mode_r;
+      const double fr =
+          -volume * (P.rr * nr + P.rz * nz + P.hoop / (4 * radius)) - stiffness * hourglass_mode[a] * mode_r;
       const double fz = -volume * (P.zr * nr + P.zz * nz) - stiffness * hourglass_mode[a] * mode_z;
       power += fr * view.v_r[corner[a]] + fz * view.v_z[corner[a]];
     }

@@ -8,7 +8,7 @@ namespace percal {
 struct ElementEnergy {
   double elastic = 0;
   double hourglass = 0;
-  double last_work = 0;  // half of what its corner forces would have done over the last step: f . v dt/2
+  double last_work = 0;        // half of what its corner forces would have done over the last step: f . v dt/2
   double largest_stretch = 1;  // principal, the hoop included
 };
 

@@ -23,10 +23,15 @@ double undeformed_step(const GradedMesh& mesh, double mu, double bulk) {
 
 MaterialConstants constants(const Problem& p, const NoErosion&, double) {
   const double wave_speed = std::sqrt(p.bulk() + 4.0 / 3 * p.mu());
-  return {.mu = p.mu(), .bulk = p.bulk(), .alpha = p.alpha, .hourglass = p.hourglass,
+  return {.mu = p.mu(),
+          .bulk = p.bulk(),
+          .alpha = p.alpha,
+          .hourglass = p.hourglass,
           .linear_viscosity = p.linear_viscosity * wave_speed,
           .quadratic_viscosity = p.quadratic_viscosity * p.quadratic_viscosity,
-          .erosion_stretch = infinite, .smallest_jacobian = inverted_jacobian, .largest_inverse_step = infinite};
+          .erosion_stretch = infinite,
+          .smallest_jacobian = inverted_jacobian,
+          .largest_inverse_step = infinite};
 }
 
 MaterialConstants constants(const Problem& p, const StrainErosion& erosion, double first_step) {
@@ -51,7 +56,8 @@ class March {
         reference_step_(undeformed_step(mesh_of(problem), problem.mu(), reference_bulk_ratio * problem.mu())),
         first_step_(undeformed_step(mesh_of(problem), problem.mu(), problem.bulk())),
         material_(constants(problem, erosion, first_step_)),
-        block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_), kernel_.lanes),
+        block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
+               kernel_.lanes),
         doomed_(block_.view().stride),
         recorder_(history) {
     sphere_.speed = problem.speed_factor;
@@ -83,7 +89,8 @@ class March {
   void find_internal_forces() {
     forces_ = {};
     for (int i = 0; i < block_.mesh().columns(); ++i) {
-      kernel_.internal_forces(block_.view(), i, rows_moving_, block_.shapes()[i], material_, last_step_, doomed_.data(), forces_);
+      kernel_.internal_forces(block_.view(), i, rows_moving_, block_.shapes()[i], material_, last_step_, doomed_.data(),
+                              forces_);
       for (int k = 0; k < forces_.doomed; ++k) erode(i, doomed_[k]);
     }
     viscous_work_ += forces_.viscous_work;
@@ -119,7 +126,8 @@ class March {
     const int row_end = std::min(rows_moving_, static_cast<int>((sphere_.tip + 1) / height) + 2);
     contact_ = {};
     for (int i = 0; i < contact_columns_; ++i)
-      kernel_.sphere_contact(block_.view(), i, block_.mesh().radius[i], height, highest_contact_row_, row_end, sphere_.centre(), contact_);
+      kernel_.sphere_contact(block_.view(), i, block_.mesh().radius[i], height, highest_contact_row_, row_end,
+                             sphere_.centre(), contact_);
     result_.largest_gap = std::max(result_.largest_gap, contact_.largest_gap / height);
   }
 
@@ -138,10 +146,14 @@ class March {
   bool has_ended() {
     result_.depth = std::max(result_.depth, sphere_.tip);
     const double speed_now = sphere_.speed - contact_.force / sphere_.mass * 0.5 * last_step_;
-    if (!std::isfinite(contact_.force) || !std::isfinite(viscous_work_)) return end(Outcome::unstable, "a force is not finite");
-    if (std::is_same_v<ErosionOf, NoErosion> && result_.eroded > 0) return end(Outcome::unstable, "an element turned inside out");
-    if (forces_.largest_inverse_step * first_step_ * collapsed_step > 1) return end(Outcome::unstable, "the time step collapsed");
-    if (std::abs(sphere_.speed) > 10 * problem_.speed_factor) return end(Outcome::unstable, "the sphere is ten times faster than at impact");
+    if (!std::isfinite(contact_.force) || !std::isfinite(viscous_work_))
+      return end(Outcome::unstable, "a force is not finite");
+    if (std::is_same_v<ErosionOf, NoErosion> && result_.eroded > 0)
+      return end(Outcome::unstable, "an element turned inside out");
+    if (forces_.largest_inverse_step * first_step_ * collapsed_step > 1)
+      return end(Outcome::unstable, "the time step collapsed");
+    if (std::abs(sphere_.speed) > 10 * problem_.speed_factor)
+      return end(Outcome::unstable, "the sphere is ten times faster than at impact");
     if (result_.steps >= most_steps) return end(Outcome::time_up, "");
     if (speed_now <= 0) return end(Outcome::stopped, "");
     if (sphere_.tip >= problem_.depth) return end(Outcome::passed_through, "");
@@ -166,7 +178,8 @@ class March {
   }
 
   void move(double kick, double drift) {
-    for (int i = 0; i < block_.mesh().columns(); ++i) kernel_.kick_and_drift(block_.view(), i, rows_moving_, kick, drift);
+    for (int i = 0; i < block_.mesh().columns(); ++i)
+      kernel_.kick_and_drift(block_.view(), i, rows_moving_, kick, drift);
     sphere_.speed -= contact_.force / sphere_.mass * kick;
     sphere_.tip += sphere_.speed * drift;
     time_ += drift;
@@ -230,7 +243,8 @@ template <class Real>
 ImpactResult compose_and_run(const Problem& problem) {
   return std::visit(
       [&](const auto& erosion, const auto& history) {
-        return March<Real, std::decay_t<decltype(erosion)>, std::decay_t<decltype(history)>>(problem, erosion, history).run();
+        return March<Real, std::decay_t<decltype(erosion)>, std::decay_t<decltype(history)>>(problem, erosion, history)
+            .run();
       },
       problem.erosion, problem.history);
 }
@@ -243,7 +257,8 @@ ImpactResult run_impact(const Problem& problem) {
     refused.outcome = Outcome::supersonic;
     return refused;
   }
-  return problem.arithmetic == Arithmetic::single_precision ? compose_and_run<float>(problem) : compose_and_run<double>(problem);
+  return problem.arithmetic == Arithmetic::single_precision ? compose_and_run<float>(problem)
+                                                            : compose_and_run<double>(problem);
 }
 
 }  // namespace percal

@@ -9,9 +9,11 @@
 
 namespace percal {
 
-template <class Choice> class Recorder;
+template <class Choice>
+class Recorder;
 
-template <> class Recorder<NoHistory> {
+template <>
+class Recorder<NoHistory> {
  public:
   explicit Recorder(const NoHistory&) {}
   void record(const HistoryPoint&) {}
@@ -21,7 +23,8 @@ template <> class Recorder<NoHistory> {
 static_assert(std::is_empty_v<Recorder<NoHistory>>);
 
 // Keeps every stride-th point; when there are twice as many as asked for, every second one goes and the stride doubles.
-template <> class Recorder<History> {
+template <>
+class Recorder<History> {
  public:
   explicit Recorder(const History& history) : most_(2 * static_cast<std::size_t>(history.samples)) {}
 

@@ -7,10 +7,10 @@
 namespace percal {
 namespace {
 constexpr std::array<std::pair<Outcome, const char*>, 5> outcomes{{{Outcome::stopped, "stopped"},
-                                                                  {Outcome::passed_through, "passed through"},
-                                                                  {Outcome::time_up, "time up"},
-                                                                  {Outcome::supersonic, "supersonic"},
-                                                                  {Outcome::unstable, "unstable"}}};
+                                                                   {Outcome::passed_through, "passed through"},
+                                                                   {Outcome::time_up, "time up"},
+                                                                   {Outcome::supersonic, "supersonic"},
+                                                                   {Outcome::unstable, "unstable"}}};
 }
 
 std::string word(Outcome outcome) {

@@ -28,7 +28,7 @@ struct EnergyLedger {
   double contact_dropped = 0;  // stored in contact springs of nodes when their last element was taken out
 
   double sum() const;
-  double closure() const { return sum() - 1; }                        // the solver's own energy error
+  double closure() const { return sum() - 1; }                           // the solver's own energy error
   double numerical_loss() const { return viscosity + contact_dropped; }  // no part of the physics asked for
 };
 
@@ -41,18 +41,18 @@ struct HistoryPoint {
 
 struct ImpactResult {
   Outcome outcome = Outcome::unstable;
-  std::string reason;            // of unstable, in words; else empty
-  double depth = 0;              // deepest tip position, radii
+  std::string reason;  // of unstable, in words; else empty
+  double depth = 0;    // deepest tip position, radii
   double end_time = 0;
   double end_speed = 0;
   long elements = 0;
   long steps = 0;
-  double element_steps = 0;      // elements of the rows that were advanced, live and dead, times their steps
+  double element_steps = 0;  // elements of the rows that were advanced, live and dead, times their steps
   long eroded = 0;
-  long distorted = 0;            // of these: taken out because J or the step became too small, not by their strain
+  long distorted = 0;  // of these: taken out because J or the step became too small, not by their strain
   double smallest_jacobian = 1;
-  double smallest_step = 0;      // over the first
-  double largest_gap = 0;        // deepest overlap of a node with the sphere, in element sizes
+  double smallest_step = 0;  // over the first
+  double largest_gap = 0;    // deepest overlap of a node with the sphere, in element sizes
   EnergyLedger energy;
   std::vector<HistoryPoint> history;  // empty unless asked for
 };

@@ -7,10 +7,13 @@
 namespace percal {
 
 template <class Real>
-void Block<Real>::Free::operator()(void* memory) const { std::free(memory); }
+void Block<Real>::Free::operator()(void* memory) const {
+  std::free(memory);
+}
 
 template <class Real>
-Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contact_stiffness_per_mass, int lanes) : mesh_(mesh) {
+Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contact_stiffness_per_mass, int lanes)
+    : mesh_(mesh) {
   const int columns = mesh.columns(), rows = mesh.rows;
   // Room for one group of lanes beyond the last node, and a stride that is no multiple of a page, where columns would fight
   // for the same cache lines.
@@ -25,9 +28,18 @@ Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contac
   std::memset(memory_.get(), 0, bytes * fields);
   int next = 0;
   const auto field = [&] { return reinterpret_cast<Real*>(static_cast<char*>(memory_.get()) + bytes * next++); };
-  view_ = {.u_r = field(), .u_z = field(), .v_r = field(), .v_z = field(), .f_r = field(), .f_z = field(),
-           .inverse_mass = field(), .contact_stiffness = field(), .jacobian = field(), .viscous_pressure = field(),
-           .alive = field(), .stride = stride};
+  view_ = {.u_r = field(),
+           .u_z = field(),
+           .v_r = field(),
+           .v_z = field(),
+           .f_r = field(),
+           .f_z = field(),
+           .inverse_mass = field(),
+           .contact_stiffness = field(),
+           .jacobian = field(),
+           .viscous_pressure = field(),
+           .alive = field(),
+           .stride = stride};
   for (std::size_t n = 0; n < entries; ++n) view_.jacobian[n] = 1;
 
   column_mass_.assign(columns + 1, 0);

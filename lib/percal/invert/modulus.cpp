@@ -40,7 +40,8 @@ class Search {
   double misfit(double log_modulus) {
     for (const auto& point : result_.points)
       if (point.log_modulus == log_modulus) return std::log(point.answer.depth / options_.target);
-    if (static_cast<int>(result_.points.size()) >= options_.most_evaluations) throw EndOfSearch{InversionOutcome::out_of_evaluations};
+    if (static_cast<int>(result_.points.size()) >= options_.most_evaluations)
+      throw EndOfSearch{InversionOutcome::out_of_evaluations};
     const DepthAnswer answer = forward_(log_modulus);
     result_.points.push_back({log_modulus, answer});
     if (!answer.valid || !(answer.depth > 0)) {
@@ -105,22 +106,30 @@ class Search {
   // Least squares of ln depth on ln modulus over the uncensored answers near `centre`.
   Line line_near(double centre) const {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    const auto counts = [&](const InversionPoint& p) { return !p.answer.censored && std::abs(p.log_modulus - centre) <= window; };
+    const auto counts = [&](const InversionPoint& p) {
+      return !p.answer.censored && std::abs(p.log_modulus - centre) <= window;
+    };
     for (const auto& p : result_.points)
       if (counts(p)) {
         const double dx = p.log_modulus - centre, dy = std::log(p.answer.depth / options_.target);
-        n += 1; x += dx; y += dy; xx += dx * dx; xy += dx * dy;
+        n += 1;
+        x += dx;
+        y += dy;
+        xx += dx * dx;
+        xy += dx * dy;
       }
     const double spread = xx - x * x / n;
     Line line{-expected_slope, centre, options_.noise, 0, static_cast<int>(n)};
     if (n >= 2 && spread > 1e-6) line.slope = (xy - x * y / n) / spread;
-    if (!(line.slope < -0.05)) line.slope = -expected_slope;  // noise over too short a span: the depth does fall with stiffness
+    if (!(line.slope < -0.05))
+      line.slope = -expected_slope;  // noise over too short a span: the depth does fall with stiffness
     const double level = y / n - line.slope * x / n;
     line.at_root = centre - level / line.slope;
     double squares = 0;
     for (const auto& p : result_.points)
       if (counts(p)) {
-        const double residual = std::log(p.answer.depth / options_.target) - level - line.slope * (p.log_modulus - centre);
+        const double residual =
+            std::log(p.answer.depth / options_.target) - level - line.slope * (p.log_modulus - centre);
         squares += residual * residual;
       }
     if (n > 2) line.scatter = std::max(options_.noise, std::sqrt(squares / (n - 2)));
@@ -133,7 +142,8 @@ class Search {
     double centre = best_answer();
     // A few more answers on both sides, where Brent's method came down on one point.
     for (const double side : {-0.12, 0.12, -0.24, 0.24})
-      if (line_near(centre).points < fewest_in_line && static_cast<int>(result_.points.size()) < options_.most_evaluations)
+      if (line_near(centre).points < fewest_in_line &&
+          static_cast<int>(result_.points.size()) < options_.most_evaluations)
         misfit(centre + side);
     Line line{};
     for (int k = 0; k < 5; ++k) {
@@ -147,9 +157,12 @@ class Search {
   }
 
   double best_answer() const {
-    const auto distance = [&](const InversionPoint& p) { return std::abs(std::log(p.answer.depth / options_.target)) + (p.answer.censored ? 1e3 : 0); };
+    const auto distance = [&](const InversionPoint& p) {
+      return std::abs(std::log(p.answer.depth / options_.target)) + (p.answer.censored ? 1e3 : 0);
+    };
     return std::min_element(result_.points.begin(), result_.points.end(),
-                            [&](const auto& a, const auto& b) { return distance(a) < distance(b); })->log_modulus;
+                            [&](const auto& a, const auto& b) { return distance(a) < distance(b); })
+        ->log_modulus;
   }
 
   const DepthOfModulus& forward_;
@@ -169,6 +182,8 @@ std::string word(InversionOutcome outcome) {
   return "out of evaluations";
 }
 
-Inversion invert_modulus(const DepthOfModulus& forward, const InversionOptions& options) { return Search(forward, options).run(); }
+Inversion invert_modulus(const DepthOfModulus& forward, const InversionOptions& options) {
+  return Search(forward, options).run();
+}
 
 }  // namespace percal

@@ -38,10 +38,10 @@ std::string word(InversionOutcome outcome);
 struct Inversion {
   InversionOutcome outcome = InversionOutcome::failed;
   std::string why;
-  double log_modulus = 0;        // where the local line through the answers meets the target
-  double log_modulus_error = 0;  // standard error: the scatter of the answers about that line, over its slope
-  double slope = 0;              // d ln depth / d ln modulus there
-  double scatter = 0;            // relative scatter of one answer about the line
+  double log_modulus = 0;              // where the local line through the answers meets the target
+  double log_modulus_error = 0;        // standard error: the scatter of the answers about that line, over its slope
+  double slope = 0;                    // d ln depth / d ln modulus there
+  double scatter = 0;                  // relative scatter of one answer about the line
   std::vector<InversionPoint> points;  // in the order of evaluation
 };
 

@@ -16,8 +16,8 @@ struct GradedMesh {
 
 struct GradedMeshOptions {
   int elements_per_radius = 10;
-  double fine_width = 1;    // columns are square up to here
-  int graded_columns = 5;   // then this many, each wider than the last by one factor, reach the wall
+  double fine_width = 1;   // columns are square up to here
+  int graded_columns = 5;  // then this many, each wider than the last by one factor, reach the wall
   double width = 5;
   double depth = 75;
 };

@@ -44,7 +44,8 @@ Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& 
   return p;
 }
 
-std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates, const Problem& problem) {
+std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates,
+                                  const Problem& problem) {
   std::vector<std::string> lines;
   if (penetration.mixed) {
     std::string list;
@@ -53,18 +54,23 @@ std::vector<std::string> warnings(const Penetration& penetration, const std::vec
   }
   const double loss = penetration.energy.numerical_loss();
   if (loss > tolerated_numerical_loss)
-    lines.push_back(fmt::format("contact springs dropped at erosion ({:.0f} %) and bulk viscosity ({:.0f} %) take more than a quarter "
-                                "of the impact energy: a finer mesh lowers the first",
-                                100 * penetration.energy.contact_dropped, 100 * penetration.energy.viscosity));
+    lines.push_back(fmt::format(
+        "contact springs dropped at erosion ({:.0f} %) and bulk viscosity ({:.0f} %) take more than a quarter "
+        "of the impact energy: a finer mesh lowers the first",
+        100 * penetration.energy.contact_dropped, 100 * penetration.energy.viscosity));
   double overlap = 0;
   for (const auto& run : replicates) overlap = std::max(overlap, run.result.largest_gap / problem.elements_per_radius);
   if (overlap > tolerated_overlap)
-    lines.push_back(fmt::format("nodes were up to {:.2g} radii inside the sphere: its contact springs are too soft for this material; a finer mesh or a "
-                                "larger contact_stiffness stiffens them", overlap));
+    lines.push_back(
+        fmt::format("nodes were up to {:.2g} radii inside the sphere: its contact springs are too soft for this "
+                    "material; a finer mesh or a "
+                    "larger contact_stiffness stiffens them",
+                    overlap));
   for (const auto& run : replicates) {
     if (run.result.outcome == Outcome::unstable) lines.push_back("unstable: " + run.result.reason);
     if (run.result.distorted > 0)
-      lines.push_back(fmt::format("{} elements were taken out because they were distorted, not by their strain", run.result.distorted));
+      lines.push_back(fmt::format("{} elements were taken out because they were distorted, not by their strain",
+                                  run.result.distorted));
   }
   return lines;
 }

@@ -24,20 +24,21 @@ struct Penetration {
   Outcome outcome = Outcome::unstable;  // the common one; where they differ, the first that is not `stopped`
   bool mixed = false;
   std::vector<Outcome> outcomes;
-  std::optional<double> depth;         // m, mean
-  std::optional<double> spread;        // m, sample standard deviation; needs two runs
+  std::optional<double> depth;           // m, mean
+  std::optional<double> spread;          // m, sample standard deviation; needs two runs
   std::optional<double> standard_error;  // m, spread / sqrt(runs)
-  std::optional<double> at_least;      // m: the layer's depth, where a run passed through it
-  std::vector<double> depths;          // m, of each run, deepest tip position whatever the outcome
-  EnergyLedger energy;                 // mean over the runs
-  double worst_closure = 0;            // largest |energy closure|
+  std::optional<double> at_least;        // m: the layer's depth, where a run passed through it
+  std::vector<double> depths;            // m, of each run, deepest tip position whatever the outcome
+  EnergyLedger energy;                   // mean over the runs
+  double worst_closure = 0;              // largest |energy closure|
 };
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales);
 
 // Warnings that a reader of the depth needs: springs and viscosity take more than a quarter of the energy, mixed outcomes,
 // distorted elements, nodes far inside the sphere.
-std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates, const Problem& problem);
+std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates,
+                                  const Problem& problem);
 
 // Springs dropped at erosion and viscosity together take a share of the impact energy that nobody asked for; above this the
 // summary says so.

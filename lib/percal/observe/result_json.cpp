@@ -26,7 +26,9 @@ constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 9> terms{
 
 // JSON has no NaN; an unstable run may end with one.
 Json finite(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-double number(const Json& value) { return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(); }
+double number(const Json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
 
 }  // namespace
 
@@ -90,12 +92,13 @@ Evaluation from_payload(const std::string& payload) {
 
 std::string history_csv(const std::vector<HistoryPoint>& history, const Scales& scales) {
   // Forces inside are per radian and in units of rho_t v^2 a^2.
-  const double force = 2 * std::numbers::pi * scales.target_density * scales.speed * scales.speed * scales.radius * scales.radius;
+  const double force =
+      2 * std::numbers::pi * scales.target_density * scales.speed * scales.speed * scales.radius * scales.radius;
   const double time = scales.radius / scales.speed;
   std::string csv = "time_s,tip_m,speed_m_s,force_N\n";
   for (const auto& point : history)
-    csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", point.time * time, point.tip * scales.radius, point.speed * scales.speed,
-                       point.force * force);
+    csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", point.time * time, point.tip * scales.radius,
+                       point.speed * scales.speed, point.force * force);
   return csv;
 }
 

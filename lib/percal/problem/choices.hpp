@@ -12,7 +12,9 @@ namespace percal {
 
 // The penetration history, or nothing.
 struct NoHistory {};
-struct History { int samples = 400; };  // about this many, evenly spaced in steps
+struct History {
+  int samples = 400;
+};  // about this many, evenly spaced in steps
 using HistoryChoice = std::variant<NoHistory, History>;
 
 static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoHistory>);

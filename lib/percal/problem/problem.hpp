@@ -12,9 +12,9 @@ struct Problem {
   double pi4 = 0;            // rho_t v^2 / mu, mu the true shear modulus
   double density_ratio = 0;  // rho_p / rho_t = 1/pi5
   double alpha = 0;
-  double bulk_ratio = 50;    // K / mu
-  double depth = 75;         // L / a
-  double width = 5;          // w / a
+  double bulk_ratio = 50;  // K / mu
+  double depth = 75;       // L / a
+  double width = 5;        // w / a
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
 
@@ -28,9 +28,9 @@ struct Problem {
   double quadratic_viscosity = 1.2;
   double time_step_factor = 0.8;
   Arithmetic arithmetic = Arithmetic::single_precision;
-  double end_time = 1000;     // in radii at impact speed
+  double end_time = 1000;  // in radii at impact speed
 
-  double speed_factor = 1;    // a replicate's speed over the scene's
+  double speed_factor = 1;              // a replicate's speed over the scene's
   HistoryChoice history = NoHistory{};  // not part of the key: it does not change the result
 
   double mu() const { return 1 / pi4; }
@@ -60,8 +60,8 @@ struct LeftOut {
 struct Reduction {
   Problem problem;
   Scales scales;
-  double mu_true = 0;        // Pa
-  double bulk_modulus = 0;   // Pa
+  double mu_true = 0;       // Pa
+  double bulk_modulus = 0;  // Pa
   double mach = 0;
   bool bulk_was_chosen = false;
   std::vector<LeftOut> left_out;

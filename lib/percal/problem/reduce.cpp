@@ -9,7 +9,7 @@ namespace percal {
 namespace {
 
 constexpr double smallest_chosen_ratio = 50;
-constexpr double rigid_below = 0.02;            // (rho_t v^2 + 10 mu)/E: docs/theory/impact.md
+constexpr double rigid_below = 0.02;  // (rho_t v^2 + 10 mu)/E: docs/theory/impact.md
 
 struct BulkRatio {
   double pi4;
@@ -24,13 +24,15 @@ void leave_out_the_particles_elasticity(const Scene& scene, double mu_true, Redu
     reduction.left_out.push_back({"elastic particle", "the scene gives no Young's modulus: the particle is rigid"});
     return;
   }
-  const double ratio = (scene.target.density * particle.speed * particle.speed + 10 * mu_true) / *particle.youngs_modulus;
+  const double ratio =
+      (scene.target.density * particle.speed * particle.speed + 10 * mu_true) / *particle.youngs_modulus;
   const auto figure = fmt::format("(rho_t v^2 + 10 mu)/E = {:.2g}", ratio);
   if (ratio < rigid_below) {
     reduction.left_out.push_back({"elastic particle", figure + fmt::format(" is below {}: rigid", rigid_below)});
   } else {
     reduction.left_out.push_back({"elastic particle", "only a rigid particle can be run"});
-    reduction.warnings.push_back(figure + fmt::format(" is not below {}: the particle's elasticity, left out here, may matter", rigid_below));
+    reduction.warnings.push_back(
+        figure + fmt::format(" is not below {}: the particle's elasticity, left out here, may matter", rigid_below));
   }
 }
 
@@ -42,7 +44,8 @@ void list_what_is_left_out(const Scene& scene, Reduction& reduction) {
   reduction.left_out.push_back({"rate dependence", "the scene gives none"});
   reduction.left_out.push_back({"further layers", "the scene has one"});
   reduction.left_out.push_back({"rows at rest", "rows that the wave has not reached are not advanced"});
-  reduction.left_out.push_back({"contact away from the particle", "only nodes within reach of the sphere are searched"});
+  reduction.left_out.push_back(
+      {"contact away from the particle", "only nodes within reach of the sphere are searched"});
 }
 
 }  // namespace
@@ -74,8 +77,7 @@ Reduction reduce(const Scene& scene) {
   p.quadratic_viscosity = scene.solver.quadratic_viscosity;
   p.time_step_factor = scene.solver.time_step_factor;
   p.arithmetic = scene.solver.arithmetic;
-  if (scene.solver.end_time)
-    p.end_time = round_to_12_digits(*scene.solver.end_time * particle.speed / particle.radius);
+  if (scene.solver.end_time) p.end_time = round_to_12_digits(*scene.solver.end_time * particle.speed / particle.radius);
   if (scene.output.history) p.history = History{};
 
   reduction.bulk_modulus = p.bulk_ratio * reduction.mu_true;

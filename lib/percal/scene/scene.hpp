@@ -40,22 +40,22 @@ using Erosion = std::variant<NoErosion, StrainErosion>;
 
 struct SphereScene {
   std::string name = "sphere";
-  double radius = 0;   // m
-  double density = 0;  // kg/m3
-  double speed = 0;    // m/s, straight down
+  double radius = 0;                     // m
+  double density = 0;                    // kg/m3
+  double speed = 0;                      // m/s, straight down
   std::optional<double> youngs_modulus;  // Pa; only decides whether a rigid particle is good enough
   bool operator==(const SphereScene&) const = default;
 };
 
 struct LayerScene {
   std::string name = "target";
-  double density = 0;        // kg/m3
-  double mu_as_given = 0;    // Pa, meant as `convention` says
+  double density = 0;      // kg/m3
+  double mu_as_given = 0;  // Pa, meant as `convention` says
   ModulusConvention convention = ModulusConvention::true_shear;
   double alpha = 0;
   VolumetricChoice volumetric = ChooseBulk{};
-  double depth = 0;          // m
-  double width = 0;          // m, radius of the fixed outer wall
+  double depth = 0;  // m
+  double width = 0;  // m, radius of the fixed outer wall
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
   bool operator==(const LayerScene&) const = default;
@@ -72,13 +72,13 @@ struct MeshScene {
 
 // Numerical settings: the defaults are docs/theory/impact.md's setting S.
 struct SolverScene {
-  double contact_stiffness = 0.6;   // kappa: k = kappa m/dt_ref^2
-  double hourglass = 0.5;           // elastic hourglass stiffness in units of mu_true
+  double contact_stiffness = 0.6;  // kappa: k = kappa m/dt_ref^2
+  double hourglass = 0.5;          // elastic hourglass stiffness in units of mu_true
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
-  double time_step_factor = 0.8;    // share of the stable step
+  double time_step_factor = 0.8;  // share of the stable step
   Arithmetic arithmetic = Arithmetic::single_precision;
-  std::optional<double> end_time;   // s; left out: 1000 radii at impact speed
+  std::optional<double> end_time;  // s; left out: 1000 radii at impact speed
   bool operator==(const SolverScene&) const = default;
 };
 

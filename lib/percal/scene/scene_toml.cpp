@@ -98,10 +98,10 @@ MeshScene read_mesh(const TomlTable& table, double width_in_radii) {
 
 VolumetricChoice volumetric_from(const TomlTable& table) {
   const auto nu = table.optional_number("nu", {.low = -1,
-                                                .high = 0.5,
-                                                .low_open = true,
-                                                .high_open = true,
-                                                .words = "a number between -1 and 0.5, both excluded"});
+                                               .high = 0.5,
+                                               .low_open = true,
+                                               .high_open = true,
+                                               .words = "a number between -1 and 0.5, both excluded"});
   const auto ratio = table.optional_number("bulk_to_shear", positive("number (K/mu)"));
   if (nu && ratio) table.refuse("bulk_to_shear", "this beside nu", "one of the two, or neither (K is then chosen)");
   if (nu) return PoissonRatio{*nu};
