@@ -92,7 +92,7 @@ CLI::App* add_card(CLI::App& app, CardArguments& card, Common& common) {
   auto* command = app.add_subcommand("card", "material cards for finite-element programs");
   command->require_subcommand(1);
   auto* write = command->add_subcommand("write", "write the card of a result");
-  write->add_option("result", card.result, "result.json of fit or identify")->required();
+  write->add_option("result", card.result, "result.json of identify")->required();
   write->add_option("--solver", card.solver, "lsdyna, abaqus or calculix")
       ->required()
       ->check(CLI::IsMember({"lsdyna", "abaqus", "calculix"}));
