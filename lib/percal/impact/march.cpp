@@ -211,10 +211,7 @@ class March {
     energy.eroded = eroded_energy_;
     energy.contact = contact_.spring_energy;
     energy.contact_dropped = dropped_energy_;
-    for (double EnergyLedger::*share : {&EnergyLedger::particle, &EnergyLedger::live_kinetic, &EnergyLedger::freed_mass,
-                                        &EnergyLedger::elastic, &EnergyLedger::hourglass, &EnergyLedger::viscosity,
-                                        &EnergyLedger::eroded, &EnergyLedger::contact, &EnergyLedger::contact_dropped})
-      energy.*share /= impact_energy_;
+    for (const auto& [key, share] : energy_terms) energy.*share /= impact_energy_;
     result_.energy = energy;
     result_.end_time = time_;
     result_.end_speed = sphere_.speed;

@@ -26,7 +26,9 @@ Outcome outcome_from(const std::string& word) {
 }
 
 double EnergyLedger::sum() const {
-  return particle + live_kinetic + freed_mass + elastic + hourglass + viscosity + eroded + contact + contact_dropped;
+  double sum = 0;
+  for (const auto& [key, share] : energy_terms) sum += this->*share;
+  return sum;
 }
 
 }  // namespace percal

@@ -32,6 +32,21 @@ struct EnergyLedger {
   double numerical_loss() const { return viscosity + contact_dropped; }  // no part of the physics asked for
 };
 
+// Every term of the ledger with its key in results, in the order in which sum() adds them.
+struct EnergyTerm {
+  const char* key;
+  double EnergyLedger::*share;
+};
+inline constexpr EnergyTerm energy_terms[] = {{"particle", &EnergyLedger::particle},
+                                              {"live_kinetic", &EnergyLedger::live_kinetic},
+                                              {"freed_mass", &EnergyLedger::freed_mass},
+                                              {"elastic", &EnergyLedger::elastic},
+                                              {"hourglass", &EnergyLedger::hourglass},
+                                              {"viscosity", &EnergyLedger::viscosity},
+                                              {"eroded", &EnergyLedger::eroded},
+                                              {"contact", &EnergyLedger::contact},
+                                              {"contact_dropped", &EnergyLedger::contact_dropped}};
+
 struct HistoryPoint {
   double time;   // radii over impact speed
   double tip;    // depth of the tip, radii

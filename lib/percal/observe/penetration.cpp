@@ -10,9 +10,7 @@ namespace {
 
 EnergyLedger mean_energy(const std::vector<Evaluation>& replicates) {
   EnergyLedger mean;
-  for (double EnergyLedger::*share : {&EnergyLedger::particle, &EnergyLedger::live_kinetic, &EnergyLedger::freed_mass,
-                                      &EnergyLedger::elastic, &EnergyLedger::hourglass, &EnergyLedger::viscosity,
-                                      &EnergyLedger::eroded, &EnergyLedger::contact, &EnergyLedger::contact_dropped})
+  for (const auto& [key, share] : energy_terms)
     for (const auto& run : replicates) mean.*share += run.result.energy.*share / static_cast<double>(replicates.size());
   return mean;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <utility>
@@ -11,18 +10,6 @@ namespace percal {
 namespace {
 
 using Json = nlohmann::json;
-
-// Every term of the ledger with its key.
-constexpr std::array<std::pair<const char*, double EnergyLedger::*>, 9> terms{
-    {{"particle", &EnergyLedger::particle},
-     {"live_kinetic", &EnergyLedger::live_kinetic},
-     {"freed_mass", &EnergyLedger::freed_mass},
-     {"elastic", &EnergyLedger::elastic},
-     {"hourglass", &EnergyLedger::hourglass},
-     {"viscosity", &EnergyLedger::viscosity},
-     {"eroded", &EnergyLedger::eroded},
-     {"contact", &EnergyLedger::contact},
-     {"contact_dropped", &EnergyLedger::contact_dropped}}};
 
 // JSON has no NaN; an unstable run may end with one.
 Json finite(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -34,7 +21,7 @@ double number(const Json& value) {
 
 Json energy_to_json(const EnergyLedger& energy) {
   Json json;
-  for (const auto& [key, term] : terms) json[key] = finite(energy.*term);
+  for (const auto& [key, term] : energy_terms) json[key] = finite(energy.*term);
   json["sum"] = finite(energy.sum());
   return json;
 }
@@ -79,7 +66,7 @@ Evaluation from_payload(const std::string& payload) {
     r.smallest_jacobian = number(json.at("smallest_jacobian"));
     r.smallest_step = number(json.at("smallest_step"));
     r.largest_gap = number(json.at("largest_gap"));
-    for (const auto& [key, term] : terms) r.energy.*term = number(json.at("energy").at(key));
+    for (const auto& [key, term] : energy_terms) r.energy.*term = number(json.at("energy").at(key));
     evaluation.instruction_level = json.at("level").get<std::string>();
     evaluation.wall_seconds = json.at("wall_s").get<double>();
     evaluation.cpu_seconds = json.at("cpu_s").get<double>();
