@@ -35,11 +35,20 @@ struct ImpactArguments {
   std::optional<int> elements_per_radius;
   std::optional<int> replicates;
   std::optional<std::string> arithmetic;
-  std::string history;  // CSV file; empty: as the scene says
+  std::string history;   // CSV file; empty: as the scene says
+  std::string accuracy;  // "2%" or "0.02"; empty: mesh and replicates as the scene says
 };
 
 struct IdentifyArguments {
   std::string job;
+};
+
+// What a scene's numerical settings are worth; `scene` may be empty for studies that bring their own.
+struct StudyArguments {
+  std::string scene;
+  bool error_vs_time = false;
+  std::vector<int> meshes;  // elements per radius; empty: the default ladder
+  std::optional<int> replicates;
 };
 
 struct CardArguments {
@@ -53,6 +62,7 @@ Exit run_fit(const FitArguments&, const Common&);
 Exit run_scale(const ScaleArguments&, const Common&);
 Exit run_impact(const ImpactArguments&, const Common&);
 Exit run_identify(const IdentifyArguments&, const Common&);
+Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
 
 // NAME.out beside the job NAME.toml, or what --out says.

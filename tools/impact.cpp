@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "accuracy.hpp"
 #include "commands.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
@@ -64,6 +65,7 @@ struct Findings {
   const std::vector<std::string>& warnings;
   double wall_seconds;
   CampaignCost cost;
+  const std::optional<AccuracyChoice>& accuracy;
 };
 
 Json to_json(const Findings& f) {
@@ -110,6 +112,7 @@ Json to_json(const Findings& f) {
           {"cpu_s", f.cost.cpu_seconds},
           {"reused", f.cost.reused},
           {"isa", f.runs.front().instruction_level},
+          {"accuracy", f.accuracy ? accuracy_to_json(*f.accuracy) : Json(nullptr)},
           {"left_out", left_out},
           {"warnings", f.warnings}};
 }
@@ -140,6 +143,28 @@ void print_refusal(const Reduction& reduction) {
       format_quantity(speed, dimension::speed));
 }
 
+void print_accuracy(const AccuracyChoice& choice) {
+  const auto& advice = choice.advice;
+  fmt::print("\n  estimated error {:.2g} % (mesh {:.2g} %, noise {:.2g} %), from the scene's study{}",
+             100 * advice.error, 100 * advice.discretisation_error, 100 * advice.noise_error,
+             advice.cost_is_estimated ? ", by extrapolation beyond its meshes" : "");
+}
+
+// The accuracy asked for is not in reach: no impact is run.
+Exit refuse_accuracy(const AccuracyChoice& choice, const Common& common) {
+  if (common.json)
+    fmt::print("{}\n", Json{{"schema", result_schema},
+                            {"percal", version()},
+                            {"command", "impact"},
+                            {"outcome", nullptr},
+                            {"depth_m", nullptr},
+                            {"accuracy", accuracy_to_json(choice)}}
+                           .dump(2));
+  else if (!common.quiet)
+    fmt::print("not run. {}\n", choice.refusal());
+  return Exit::outcome_not_reached;
+}
+
 void print(const Findings& f) {
   const auto length = [](double metres) { return format_quantity(metres, dimension::length); };
   const auto& p = f.penetration;
@@ -151,6 +176,7 @@ void print(const Findings& f) {
                length(*p.standard_error));
   if (p.at_least) fmt::print(", deeper than the layer's {}", length(*p.at_least));
   if (p.outcome == Outcome::supersonic) print_refusal(f.reduction);
+  if (f.accuracy) print_accuracy(*f.accuracy);
   fmt::print("\n  mu {} as given ({}), {} true; K {} ({}), Mach {:.3g}\n",
              format_quantity(f.scene.target.mu_as_given, dimension::pressure), word(f.scene.target.convention),
              format_quantity(f.reduction.mu_true, dimension::pressure),
@@ -174,8 +200,10 @@ void print(const Findings& f) {
 
 Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
-  const Scene scene = scene_with_options(arguments);
-  const Reduction reduction = reduce(scene);
+  Scene scene = scene_with_options(arguments);
+  Reduction reduction = reduce(scene);
+  std::optional<double> target;
+  if (!arguments.accuracy.empty()) target = parse_accuracy(arguments.accuracy);
   if (common.check) {
     if (common.json)
       fmt::print("{}\n", Json{{"command", "impact"}, {"scene", arguments.scene}, {"valid", true}}.dump());
@@ -186,13 +214,20 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   if (!common.out.empty()) ensure_writable_folder(common.out);
   if (!arguments.history.empty()) ensure_writable(arguments.history);
   Store store(common.store.empty() ? default_store_path() : common.store);
+  std::optional<AccuracyChoice> accuracy;
+  if (target) {
+    accuracy = choose_setting(scene, *target, store, common);
+    if (!accuracy->can_be_run()) return refuse_accuracy(*accuracy, common);
+    scene = with_setting(scene, *accuracy);
+    reduction = reduce(scene);
+  }
   Campaign campaign(&store, common.threads);
   const auto runs = evaluate(campaign, reduction.problem, scene.replicates);
   const Penetration penetration = summarise(runs, reduction.problem, reduction.scales);
   auto notes = warnings(penetration, runs, reduction.problem);
   notes.insert(notes.begin(), reduction.warnings.begin(), reduction.warnings.end());
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost()};
+  const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost(), accuracy};
   if (!arguments.history.empty())
     write_file(arguments.history, history_csv(runs.front().result.history, reduction.scales));
   const std::string result =

@@ -74,6 +74,14 @@ CLI::App* add_impact(CLI::App& app, ImpactArguments& impact, Common& common) {
   command->add_option("--arithmetic", impact.arithmetic, "single or double")
       ->check(CLI::IsMember({"single", "double"}));
   command->add_option("--history", impact.history, "write the penetration history to this CSV file");
+  command
+      ->add_option(
+          "--accuracy", impact.accuracy,
+          "error of the depth, as 2%: mesh and replicates as the scene's study advises, which is run first where "
+          "the store keeps none")
+      ->excludes("--elements-per-radius")
+      ->excludes("--replicates")
+      ->excludes("--arithmetic");
   command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
   add_common(*command, common, true);
   return command;
@@ -84,6 +92,23 @@ CLI::App* add_identify(CLI::App& app, IdentifyArguments& identify, Common& commo
       "identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
   command->add_option("job", identify.job, "TOML job")->required();
   command->footer("Example: percal identify data/guha2009/skin.toml");
+  add_common(*command, common, true);
+  return command;
+}
+
+CLI::App* add_study(CLI::App& app, StudyArguments& study, Common& common) {
+  auto* command = app.add_subcommand("study", "what a scene's numerical settings are worth: error against time");
+  command->add_option("scene", study.scene, "TOML scene");
+  auto* which = command->add_option_group("what is studied");
+  which->add_flag(
+      "--error-vs-time", study.error_vs_time,
+      "depth on a ladder of meshes, the error of each, its cost, and the cheapest setting for 5, 2 and 1 %");
+  which->require_option(1);
+  command->add_option("--meshes", study.meshes, "elements per radius, four or more (default: 5,7,10,14,20,28)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--replicates", study.replicates, "runs on each mesh (default: 5)")->check(CLI::Range(3, 1000));
+  command->footer("Example: percal study data/guha2009/gold.toml --error-vs-time --meshes 5,7,10,14 --replicates 3");
   add_common(*command, common, true);
   return command;
 }
@@ -154,11 +179,13 @@ Exit run(int argc, char** argv) {
   ScaleArguments scale;
   ImpactArguments impact;
   IdentifyArguments identify;
+  StudyArguments study;
   CardArguments card;
   auto* fit_command = add_fit(app, fit, common);
   auto* scale_command = add_scale(app, scale, common);
   auto* impact_command = add_impact(app, impact, common);
   auto* identify_command = add_identify(app, identify, common);
+  auto* study_command = add_study(app, study, common);
   add_card(app, card, common);
   try {
     app.parse(argc, argv);
@@ -169,9 +196,10 @@ Exit run(int argc, char** argv) {
   Progress::enable(!common.quiet);
   if (*fit_command) return run_fit(fit, common);
   if (*scale_command) return run_scale(scale, common);
-  if (*impact_command || *identify_command) resume_after_interruption();
+  if (*impact_command || *identify_command || *study_command) resume_after_interruption();
   if (*impact_command) return run_impact(impact, common);
   if (*identify_command) return run_identify(identify, common);
+  if (*study_command) return run_study(study, common);
   return run_card_write(card, common);
 }
 

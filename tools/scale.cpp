@@ -1,6 +1,7 @@
 // percal scale JOB: the ten groups of two systems, the model's missing values, and the similar scene.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -56,6 +57,30 @@ SystemInput system_of(const Scene& scene) {
   return input;
 }
 
+// Profile, lower layers, erosion limits and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
+void scale_the_rest(Scene& scene, const System& prototype, const System& model) {
+  const auto ratio = [&](auto member) { return required(model, member) / required(prototype, member); };
+  const double length = ratio(&System::radius), density = ratio(&System::target_density), pressure = ratio(&System::mu);
+  if (auto* profile = std::get_if<ProfileShape>(&scene.particle.shape)) {
+    for (auto& vertex : profile->vertices)
+      for (double& coordinate : vertex) coordinate *= length;
+    const int dimensions = scene.geometry == Geometry::plane_strain ? 2 : 3;
+    if (profile->mass) *profile->mass *= ratio(&System::particle_density) * std::pow(length, dimensions);
+  }
+  for (LowerLayerScene& layer : scene.below) {
+    layer.density *= density;
+    layer.mu_as_given *= pressure;
+    layer.depth *= length;
+    if (layer.erosion_limit && !std::holds_alternative<StrainErosion>(scene.target.erosion))
+      *layer.erosion_limit *= pressure;
+  }
+  if (auto* stress = std::get_if<StressErosion>(&scene.target.erosion)) stress->limit *= pressure;
+  if (auto* energy = std::get_if<EnergyErosion>(&scene.target.erosion)) energy->limit *= pressure;
+  if (auto* series = std::get_if<PronySeries>(&scene.target.relaxation))
+    for (PronyTerm& term : series->terms) term.time = map_time(term.time, prototype, model);
+  if (scene.solver.end_time) scene.solver.end_time = map_time(*scene.solver.end_time, prototype, model);
+}
+
 // The prototype's scene with the model's numbers: geometry by Eq. 3-1, time by pi10; what has no dimension - erosion,
 // volumetric ratio, mesh, solver settings, replicates - is the prototype's.
 Scene similar_scene(const Scene& prototype_scene, const System& prototype, const System& model) {
@@ -71,7 +96,7 @@ Scene similar_scene(const Scene& prototype_scene, const System& prototype, const
       modulus_as_given(required(model, &System::mu), scene.target.alpha, scene.target.convention);
   scene.target.depth = required(model, &System::depth);
   scene.target.width = required(model, &System::width);
-  if (scene.solver.end_time) scene.solver.end_time = map_time(*scene.solver.end_time, prototype, model);
+  scale_the_rest(scene, prototype, model);
   return scene;
 }
 

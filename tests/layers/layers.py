@@ -11,8 +11,8 @@ MAY_SEE = {
     "material": ["base", "math", "units"],
     "scaling": ["base", "math", "units", "text", "material"],
     "mesh": ["base", "math"],
-    "scene": ["base", "units", "text", "material"],
-    "problem": ["base", "units", "text", "material", "scaling", "mesh", "scene"],
+    "scene": ["base", "math", "units", "text", "material"],
+    "problem": ["base", "math", "units", "text", "material", "scaling", "mesh", "scene"],
     "impact": ["base", "math", "material", "mesh", "problem"],
     "observe": ["base", "text", "problem", "impact"],
     "store": ["base"],
@@ -20,6 +20,7 @@ MAY_SEE = {
     "invert": ["base", "math"],
     "card": ["base", "units", "text", "material"],
     "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store"],
+    "study": ["base", "math", "scene", "problem", "impact", "observe", "store", "campaign"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign"],
 }
 

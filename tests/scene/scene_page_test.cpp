@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
@@ -37,16 +38,38 @@ std::map<std::string, std::set<std::string>> described_keys() {
   return keys;
 }
 
+// A heading of the page, the place in a scene where an unknown key is put, and what the reader needs beside it.
+struct TablePlace {
+  std::string heading;
+  std::string header;  // "[mesh]"; empty at the top level
+  std::string needs;   // lines of the table
+  std::string before;  // lines of the scene before the table
+};
+
+const std::vector<TablePlace>& places() {
+  static const std::string erosion = "[target.erosion]\nstrain = 0.7\n";
+  static const std::string layer = "[[below]]\ndensity = \"1 t/m3\"\nmu = \"1 MPa\"\nalpha = 2\ndepth = \"1 mm\"\n";
+  static const std::vector<TablePlace> all{
+      {"Top level", "", "", ""},
+      {"[particle]", "[particle]", "", ""},
+      {"[target]", "[target]", "", ""},
+      {"[target.erosion]", "[target.erosion]", "strain = 0.7\n", ""},
+      {"[[target.relaxation]]", "[[target.relaxation]]", "share = 0.3\ntime = \"1 us\"\n", ""},
+      {"[[below]]", "[[below]]", layer.substr(layer.find('\n') + 1), ""},
+      {"[below.erosion]", "[below.erosion]", "strain = 0.7\n", erosion + layer},
+      {"[mesh]", "[mesh]", "", ""},
+      {"[solver]", "[solver]", "", ""},
+      {"[output]", "[output]", "", ""}};
+  return all;
+}
+
 // The keys that the reader says it accepts where it finds one that it does not know.
-std::set<std::string> accepted_keys(const std::string& table) {
-  const std::string base = examples().at(0);
-  const std::string wrong = "zzzzzzzz = 1\n";
-  const std::string header = "[" + table + "]\n";
-  std::string text = table.empty() ? wrong + base : base + header + wrong;
-  if (const std::size_t at = base.find(header); !table.empty() && at != std::string::npos) {
+std::set<std::string> accepted_keys(const TablePlace& place) {
+  const std::string base = examples().at(0), wrong = "zzzzzzzz = 1\n", header = place.header + "\n";
+  std::string text = base + place.before + header + wrong + place.needs;
+  if (const std::size_t at = base.find(header); at != std::string::npos)
     text = base.substr(0, at + header.size()) + wrong + base.substr(at + header.size());
-  }
-  if (table == "target.erosion") text += "strain = 0.7\n";
+  if (place.header.empty()) text = wrong + base;
   std::set<std::string> keys;
   try {
     parse_scene(text, "x");
@@ -61,26 +84,29 @@ std::set<std::string> accepted_keys(const std::string& table) {
 }
 
 TEST(ScenePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
-  const std::map<std::string, std::string> tables{
-      {"Top level", ""},  {"[particle]", "particle"}, {"[target]", "target"}, {"[target.erosion]", "target.erosion"},
-      {"[mesh]", "mesh"}, {"[solver]", "solver"},     {"[output]", "output"}};
   const auto described = described_keys();
-  EXPECT_EQ(described.size(), tables.size());
-  for (const auto& [heading, table] : tables) {
-    ASSERT_TRUE(described.contains(heading)) << heading;
-    EXPECT_EQ(described.at(heading), accepted_keys(table)) << heading;
+  EXPECT_EQ(described.size(), places().size());
+  for (const TablePlace& place : places()) {
+    ASSERT_TRUE(described.contains(place.heading)) << place.heading;
+    EXPECT_EQ(described.at(place.heading), accepted_keys(place)) << place.heading;
   }
 }
 
 TEST(ScenePage, TheDefaultsItWritesOutAreTheDefaults) {
-  ASSERT_EQ(examples().size(), 2u);
   EXPECT_EQ(parse_scene(examples()[0], "x"), parse_scene(examples()[1], "x"));
+}
+
+TEST(ScenePage, EveryExampleIsAScene) {
+  EXPECT_GE(examples().size(), 4u);
+  for (const auto& example : examples()) EXPECT_NO_THROW(parse_scene(example, "x")) << example;
 }
 
 TEST(ScenePage, TheLongExampleNamesEveryKeyWithADefault) {
   const std::set<std::string> without_default{
-      "particle",      "target",  "mesh",   "solver",  "output",         "youngs_modulus", "nu",
-      "bulk_to_shear", "erosion", "strain", "measure", "graded_columns", "end_time"};
+      "particle", "target",    "below",         "mesh",     "solver",        "output",      "youngs_modulus",
+      "nu",       "erosion",   "relaxation",    "strain",   "measure",       "stress",      "energy",
+      "share",    "time",      "vertices",      "side",     "tip_angle",     "orientation", "rotation",
+      "mass",     "thickness", "bulk_to_shear", "end_time", "graded_columns"};
   for (const auto& [heading, keys] : described_keys()) {
     for (const auto& key : keys) {
       const bool written = examples().at(1).find(key + " = ") != std::string::npos;

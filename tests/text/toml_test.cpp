@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -185,6 +186,26 @@ TEST(Toml, AnArrayNamesItsBadElement) {
   EXPECT_THAT(refusal("[series]", [](const TomlTable& root) { root.tables("series"); }),
               HasSubstr("accepted: tables: [[series]]"));
   EXPECT_TRUE(parse_toml("", "x").tables("series").empty());
+}
+
+TEST(Toml, PairsOfQuantitiesAreReadInSi) {
+  const auto read = [](const TomlTable& root) { root.quantity_pairs("corners", dimension::length, any_number()); };
+  EXPECT_THAT(parse_toml("corners = [['1 um', '-2 mm'], ['3 m', '0 m']]", "x")
+                  .quantity_pairs("corners", dimension::length, any_number()),
+              ElementsAre(std::array{1e-6, -2e-3}, std::array{3.0, 0.0}));
+  EXPECT_THAT(refusal("corners = [['1 um', '2 mm'], ['3 m']]", read), HasSubstr("corners[2]: found an array"));
+  EXPECT_THAT(refusal("corners = [['1 um', '2 s']]", read), HasSubstr("corners[1][2]: found \"2 s\", a time"));
+  EXPECT_THAT(refusal("corners = ['1 um', '2 m']", read), HasSubstr("corners[1]: found \"1 um\""));
+  EXPECT_THAT(refusal("corners = []", read), HasSubstr("an empty array"));
+  EXPECT_THAT(refusal("", read), HasSubstr("corners: found no such key"));
+}
+
+TEST(Toml, WhetherAKeyHoldsAnArrayMarksNothingAsKnown) {
+  const auto root = parse_toml("a = [1]\nb = 'a.csv'", "x");
+  EXPECT_TRUE(root.is_array("a"));
+  EXPECT_FALSE(root.is_array("b"));
+  EXPECT_FALSE(root.is_array("c"));
+  EXPECT_THROW(root.finish(), BadInput);
 }
 
 TEST(Toml, KeysComeInFileOrderAndStayUnknown) {

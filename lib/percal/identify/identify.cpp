@@ -27,7 +27,7 @@ GelatinFinding find_law(const ModelMaterial& gelatin) {
   return finding;
 }
 
-System system_of(const SphereScene& sphere, const std::string& target) {
+System system_of(const ParticleScene& sphere, const std::string& target) {
   System system;
   system.particle = sphere.name;
   system.target = target;
@@ -107,11 +107,11 @@ std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& j
   if (!target) return std::nullopt;
   std::vector<Scene> scenes;
   for (const PredictedShot& shot : set.shots) {
-    const SphereScene sphere{.name = shot.particle,
-                             .radius = shot.radius,
-                             .density = shot.density,
-                             .speed = shot.speed,
-                             .youngs_modulus = {}};
+    const ParticleScene sphere{.name = shot.particle,
+                               .radius = shot.radius,
+                               .density = shot.density,
+                               .speed = shot.speed,
+                               .youngs_modulus = {}};
     scenes.push_back(impact_scene(job, sphere, *target, set.volumetric, set.elements_per_radius));
   }
   PredictionResult result{.set = &set,

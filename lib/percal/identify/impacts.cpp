@@ -4,11 +4,12 @@
 
 namespace percal {
 
-Scene impact_scene(const IdentifyJob& job, const SphereScene& particle, const TargetMaterial& target,
+Scene impact_scene(const IdentifyJob& job, const ParticleScene& particle, const TargetMaterial& target,
                    const VolumetricChoice& volumetric, int elements_per_radius) {
   Scene scene;
   scene.source = job.file;
   scene.particle = particle;
+  scene.particle.elasticity = Elasticity::rigid;  // as in every published run that a job is compared with
   scene.target = {.name = "layer",
                   .density = target.density,
                   .mu_as_given = target.mu,

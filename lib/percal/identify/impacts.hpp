@@ -16,7 +16,7 @@ struct TargetMaterial {
 };
 
 // A sphere into the job's layer, scaled with the sphere.
-Scene impact_scene(const IdentifyJob& job, const SphereScene& particle, const TargetMaterial& target,
+Scene impact_scene(const IdentifyJob& job, const ParticleScene& particle, const TargetMaterial& target,
                    const VolumetricChoice& volumetric, int elements_per_radius);
 
 // One scene with its replicates, evaluated.

@@ -137,10 +137,10 @@ struct IdentifyJob {
   StrainMeasure measure = StrainMeasure::engineering;
   ModelMaterial gelatin;
   Tissue tissue;
-  SphereScene calibration;                  // shot into the tissue
+  ParticleScene calibration;                // shot into the tissue
   double penetration = 0;                   // m, its measured depth
   std::optional<double> penetration_error;  // m, standard error of that
-  SphereScene model;                        // shot into the model material
+  ParticleScene model;                      // shot into the model material
   Layer layer;
   VolumetricChoice volumetric = ChooseBulk{};
   SolverScene solver;

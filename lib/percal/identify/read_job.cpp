@@ -43,7 +43,7 @@ std::vector<double> column(const TomlTable& block, const std::string& key, const
   return values;
 }
 
-SphereScene read_sphere(const TomlTable& block) {
+ParticleScene read_sphere(const TomlTable& block) {
   return {.name = block.text("particle"),
           .radius = block.quantity("radius", dimension::length, length),
           .density = block.quantity("density", dimension::density, density),

@@ -1,6 +1,6 @@
 // One-point axisymmetric quad of the compressible one-term Ogden solid, written once over V = a scalar or lanes.
 //   W = (2 mu/alpha^2) (sum lambda_bar_i^alpha - 3) + K/4 (J^2 - 1 - 2 ln J),  lambda_bar_i = J^(-1/3) lambda_i
-// Equations: docs/theory/impact.md.
+// Constants C are numbers, or lanes where they differ from row to row. Equations: docs/theory/impact.md.
 #pragma once
 #include "percal/impact/lanes.hpp"
 
@@ -58,8 +58,8 @@ struct IsochoricPowers {
 
 // Two logarithms and two exponentials: with s = J_in-plane, ln lambda_bar_1 = ln(first2 / (second2 hoop^2))/6 + ..., and the three
 // isochoric powers multiply to 1.
-template <class V>
-PERCAL_INLINE IsochoricPowers<V> isochoric_powers(const Gradient<V>& F, const Stretches<V>& s, RealOf<V> alpha) {
+template <class V, class C>
+PERCAL_INLINE IsochoricPowers<V> isochoric_powers(const Gradient<V>& F, const Stretches<V>& s, C alpha) {
   using Real = RealOf<V>;
   IsochoricPowers<V> g;
   const V first = s.first2 * s.first2 * s.inverse_second2 * s.inverse_hoop * s.inverse_hoop;  // lambda_bar_1^6
@@ -75,8 +75,8 @@ template <class V>
 struct PrincipalStress {
   V first, second, hoop;
 };
-template <class V>
-PERCAL_INLINE PrincipalStress<V> isochoric_stress(const IsochoricPowers<V>& g, RealOf<V> two_mu_over_alpha) {
+template <class V, class C>
+PERCAL_INLINE PrincipalStress<V> isochoric_stress(const IsochoricPowers<V>& g, C two_mu_over_alpha) {
   const V mean = (g.first + g.second + g.hoop) * RealOf<V>(1.0 / 3);
   return {two_mu_over_alpha * (g.first - mean), two_mu_over_alpha * (g.second - mean),
           two_mu_over_alpha * (g.hoop - mean)};
@@ -109,14 +109,14 @@ template <class V>
 struct StepBound {
   V stiffness, over_stretch;
 };
-template <class V>
-PERCAL_INLINE StepBound<V> step_bound(const Stretches<V>& s, const IsochoricPowers<V>& g, const PrincipalStress<V>& t,
-                                      RealOf<V> mu, RealOf<V> bulk, RealOf<V> per_width2, RealOf<V> per_height2,
-                                      RealOf<V> per_hoop2) {
+// volumetric = J^2 U''(J), U being the volumetric energy.
+template <class V, class C>
+PERCAL_INLINE StepBound<V> step_bound_with(V volumetric, const Stretches<V>& s, const IsochoricPowers<V>& g,
+                                           const PrincipalStress<V>& t, C mu, RealOf<V> per_width2,
+                                           RealOf<V> per_height2, RealOf<V> per_hoop2) {
   using Real = RealOf<V>;
-  const V volumetric = (Real(0.5) * bulk) * (s.jacobian * s.jacobian + Real(1));
   const V common = volumetric + (mu * Real(2.0 / 9)) * (g.first + g.second + g.hoop);
-  const Real three = mu * Real(2.0 / 3);
+  const C three = mu * Real(2.0 / 3);
   const V along = Real(0.5) * s.half_difference * s.inverse_split;  // (n_1r^2 - n_1z^2)/2
   const V w1 = ((Real(0.5) + along) * per_width2 + (Real(0.5) - along) * per_height2) * s.inverse_first2;
   const V w2 = ((Real(0.5) - along) * per_width2 + (Real(0.5) + along) * per_height2) * s.inverse_second2;
@@ -124,6 +124,16 @@ PERCAL_INLINE StepBound<V> step_bound(const Stretches<V>& s, const IsochoricPowe
   return {(common + three * g.first - t.first) * w1 + (common + three * g.second - t.second) * w2 +
               (common + three * g.hoop - t.hoop) * w3,
           w1 + w2 + w3};
+}
+
+// The same with U = K/4 (J^2 - 1 - 2 ln J).
+template <class V>
+PERCAL_INLINE StepBound<V> step_bound(const Stretches<V>& s, const IsochoricPowers<V>& g, const PrincipalStress<V>& t,
+                                      RealOf<V> mu, RealOf<V> bulk, RealOf<V> per_width2, RealOf<V> per_height2,
+                                      RealOf<V> per_hoop2) {
+  using Real = RealOf<V>;
+  const V volumetric = (Real(0.5) * bulk) * (s.jacobian * s.jacobian + Real(1));
+  return step_bound_with(volumetric, s, g, t, mu, per_width2, per_height2, per_hoop2);
 }
 
 }  // namespace percal::PERCAL_LEVEL

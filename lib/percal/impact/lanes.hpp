@@ -85,6 +85,7 @@ template <class M, class V>
 PERCAL_INLINE V select(M take_first, V a, V b) {
   return take_first ? a : b;
 }
+// The larger and the smaller of two, b where one of them is not a number: one instruction where the level has it.
 template <class V>
 PERCAL_INLINE V larger(V a, V b) {
   return a > b ? a : b;
@@ -93,6 +94,28 @@ template <class V>
 PERCAL_INLINE V smaller(V a, V b) {
   return a < b ? a : b;
 }
+#if defined(__AVX512F__)
+PERCAL_INLINE FloatLanes::Vector larger(FloatLanes::Vector a, FloatLanes::Vector b) {
+  return (FloatLanes::Vector)_mm512_max_ps((__m512)a, (__m512)b);
+}
+PERCAL_INLINE FloatLanes::Vector smaller(FloatLanes::Vector a, FloatLanes::Vector b) {
+  return (FloatLanes::Vector)_mm512_min_ps((__m512)a, (__m512)b);
+}
+#elif defined(__AVX2__)
+PERCAL_INLINE FloatLanes::Vector larger(FloatLanes::Vector a, FloatLanes::Vector b) {
+  return (FloatLanes::Vector)_mm256_max_ps((__m256)a, (__m256)b);
+}
+PERCAL_INLINE FloatLanes::Vector smaller(FloatLanes::Vector a, FloatLanes::Vector b) {
+  return (FloatLanes::Vector)_mm256_min_ps((__m256)a, (__m256)b);
+}
+#elif defined(__SSE4_2__)
+PERCAL_INLINE FloatLanes::Vector larger(FloatLanes::Vector a, FloatLanes::Vector b) {
+  return (FloatLanes::Vector)_mm_max_ps((__m128)a, (__m128)b);
+}
+PERCAL_INLINE FloatLanes::Vector smaller(FloatLanes::Vector a, FloatLanes::Vector b) {
+  return (FloatLanes::Vector)_mm_min_ps((__m128)a, (__m128)b);
+}
+#endif
 
 PERCAL_INLINE float square_root(float x) { return __builtin_sqrtf(x); }
 PERCAL_INLINE double square_root(double x) { return __builtin_sqrt(x); }

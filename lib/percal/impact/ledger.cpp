@@ -1,9 +1,9 @@
 #include "percal/impact/ledger.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "percal/impact/element.hpp"
+#include "percal/impact/uniform_solid.hpp"
+#include "percal/impact/volumetric_law.hpp"
 
 namespace percal {
 namespace {
@@ -16,13 +16,15 @@ constexpr double hourglass_mode[4] = {1, -1, 1, -1};
 }  // namespace
 
 template <class Real>
-ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& material, int column, int row,
+ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid, int column, int row,
                              double last_step) {
+  const MaterialConstants& material = solid.of_row(row);
   const auto& view = block.view();
   const auto& shape = block.shapes()[column];
   const long corner[4] = {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1),
                           block.at(column, row + 1)};
-  const double width = shape.width, height = shape.height, radius = shape.mean_radius, volume = radius * width * height;
+  const double width = shape.width, height = shape.height, thickness = shape.thickness, per_radius = shape.per_radius,
+               volume = thickness * width * height;
 
   scalar::Gradient<double> F{1, 0, 0, 1, 1};
   double mode_r = 0, mode_z = 0;
@@ -32,29 +34,29 @@ ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& 
     F.rz += along_z[a] * ur / height;
     F.zr += along_r[a] * uz / width;
     F.zz += along_z[a] * uz / height;
-    F.hoop += ur / (4 * radius);
+    F.hoop += ur * per_radius / 4;
     mode_r += hourglass_mode[a] * ur;
     mode_z += hourglass_mode[a] * uz;
   }
   F.hoop = std::max(F.hoop, 1e-3);
   const auto s = scalar::stretches(F);
   const auto g = scalar::isochoric_powers(F, s, material.alpha);
-  const double J = s.jacobian, alpha = material.alpha, mu = material.mu;
-  const double density =
-      2 * mu / (alpha * alpha) * (g.first + g.second + g.hoop - 3) + material.bulk / 4 * (J * J - 1 - 2 * std::log(J));
-  const double stiffness = material.hourglass * mu / 12 * (height / width + width / height) * radius;
+  const double J = s.jacobian, alpha = material.alpha, mu = material.mu * solid.lasting_share();
+  const double density = 2 * mu / (alpha * alpha) * (g.first + g.second + g.hoop - 3) +
+                         scalar::volumetric_energy(solid.pressure_law, J, material.bulk);
+  const double stiffness =
+      solid.hourglass_kind == HourglassKind::stiffness ? scalar::hourglass_stiffness(material, shape) : 0;
   ElementEnergy energy;
   energy.elastic = volume * density;
-  energy.largest_stretch = std::sqrt(std::max(s.first2, F.hoop * F.hoop));
   energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
   if (last_step > 0) {
-    const auto P =
-        scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * mu / alpha), material.bulk / 2 * (J * J - 1));
+    const auto P = scalar::first_piola(F, s, scalar::isochoric_stress(g, 2 * mu / alpha),
+                                       scalar::kirchhoff_pressure(solid.pressure_law, J, material.bulk));
     double power = 0;
     for (int a = 0; a < 4; ++a) {
       const double nr = along_r[a] / width, nz = along_z[a] / height;
       const double fr =
-          -volume * (P.rr * nr + P.rz * nz + P.hoop / (4 * radius)) - stiffness * hourglass_mode[a] * mode_r;
+          -volume * (P.rr * nr + P.rz * nz + P.hoop * per_radius / 4) - stiffness * hourglass_mode[a] * mode_r;
       const double fz = -volume * (P.zr * nr + P.zz * nz) - stiffness * hourglass_mode[a] * mode_z;
       power += fr * view.v_r[corner[a]] + fz * view.v_z[corner[a]];
     }
@@ -64,7 +66,7 @@ ElementEnergy element_energy(const Block<Real>& block, const MaterialConstants& 
 }
 
 template <class Real>
-EnergyLedger stored_energy(const Block<Real>& block, const MaterialConstants& material) {
+EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid) {
   const auto& view = block.view();
   const auto& mesh = block.mesh();
   EnergyLedger energy;
@@ -77,16 +79,16 @@ EnergyLedger stored_energy(const Block<Real>& block, const MaterialConstants& ma
   for (int i = 0; i < mesh.columns(); ++i)
     for (int j = 0; j < mesh.rows; ++j)
       if (view.alive[block.at(i, j)] > 0) {
-        const auto element = element_energy(block, material, i, j, 0);
+        const auto element = element_energy(block, solid, i, j, 0);
         energy.elastic += element.elastic;
         energy.hourglass += element.hourglass;
       }
   return energy;
 }
 
-template ElementEnergy element_energy(const Block<float>&, const MaterialConstants&, int, int, double);
-template ElementEnergy element_energy(const Block<double>&, const MaterialConstants&, int, int, double);
-template EnergyLedger stored_energy(const Block<float>&, const MaterialConstants&);
-template EnergyLedger stored_energy(const Block<double>&, const MaterialConstants&);
+template ElementEnergy element_energy(const Block<float>&, const TargetSolid&, int, int, double);
+template ElementEnergy element_energy(const Block<double>&, const TargetSolid&, int, int, double);
+template EnergyLedger stored_energy(const Block<float>&, const TargetSolid&);
+template EnergyLedger stored_energy(const Block<double>&, const TargetSolid&);
 
 }  // namespace percal

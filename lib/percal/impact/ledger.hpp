@@ -2,23 +2,23 @@
 #pragma once
 #include "percal/impact/result.hpp"
 #include "percal/impact/state.hpp"
+#include "percal/impact/target_solid.hpp"
 
 namespace percal {
 
 struct ElementEnergy {
-  double elastic = 0;
+  double elastic = 0;  // what would be left if all that can relax had relaxed
   double hourglass = 0;
-  double last_work = 0;        // half of what its corner forces would have done over the last step: f . v dt/2
-  double largest_stretch = 1;  // principal, the hoop included
+  double last_work = 0;  // half of what the forces of these two would have done over the last step: f . v dt/2
 };
 
 // Of element (column, row) as it stands. last_step is the step that led here.
 template <class Real>
-ElementEnergy element_energy(const Block<Real>&, const MaterialConstants&, int column, int row, double last_step);
+ElementEnergy element_energy(const Block<Real>&, const TargetSolid&, int column, int row, double last_step);
 
 // What the elements and nodes hold now; velocities must stand at the same time as displacements.
 // Fills live_kinetic, freed_mass, elastic and hourglass, not yet divided by the impact energy.
 template <class Real>
-EnergyLedger stored_energy(const Block<Real>&, const MaterialConstants&);
+EnergyLedger stored_energy(const Block<Real>&, const TargetSolid&);
 
 }  // namespace percal

@@ -2,82 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <type_traits>
 
+#include "percal/impact/constants.hpp"
+#include "percal/impact/elastic_sphere.hpp"
 #include "percal/impact/ledger.hpp"
+#include "percal/impact/particle.hpp"
 #include "percal/impact/recorder.hpp"
 #include "percal/impact/settings.hpp"
-#include "percal/impact/state.hpp"
+#include "percal/impact/sweep.hpp"
 
 namespace percal {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-// The step of the undeformed square element at a bulk modulus, without the time-step factor.
-double undeformed_step(const GradedMesh& mesh, double mu, double bulk) {
-  const double width = mesh.radius[1], height = mesh.row_height;
-  return 1 / std::sqrt((bulk + 4.0 / 3 * mu) * (1 / (width * width) + 1 / (height * height)));
-}
-
-MaterialConstants constants(const Problem& p, const NoErosion&, double) {
-  const double wave_speed = std::sqrt(p.bulk() + 4.0 / 3 * p.mu());
-  return {.mu = p.mu(),
-          .bulk = p.bulk(),
-          .alpha = p.alpha,
-          .hourglass = p.hourglass,
-          .linear_viscosity = p.linear_viscosity * wave_speed,
-          .quadratic_viscosity = p.quadratic_viscosity * p.quadratic_viscosity,
-          .erosion_stretch = infinite,
-          .smallest_jacobian = inverted_jacobian,
-          .largest_inverse_step = infinite};
-}
-
-MaterialConstants constants(const Problem& p, const StrainErosion& erosion, double first_step) {
-  MaterialConstants c = constants(p, NoErosion{}, first_step);
-  c.erosion_stretch = stretch_at(erosion.limit, erosion.measure);
-  c.smallest_jacobian = distorted_jacobian;
-  c.largest_inverse_step = 1 / (distorted_step * first_step);
-  return c;
-}
-
-GradedMesh mesh_of(const Problem& p) {
-  return graded_mesh({p.elements_per_radius, p.fine_width, p.graded_columns, p.width, p.depth});
-}
-
-// One run. Velocities stand half a step behind displacements until synchronise().
-template <class Real, class ErosionOf, class HistoryOf>
+// One run: central differences in leapfrog form, velocities half a step behind displacements until synchronise(). Elements near
+// the particle, and the particle, take `substeps_` short steps while the far ones take a long one.
+template <class Real, class ParticleRun, class HistoryOf>
 class March {
  public:
-  March(const Problem& problem, const ErosionOf& erosion, const HistoryOf& history)
+  March(const Problem& problem, const HistoryOf& history, int threads)
       : problem_(problem),
         kernel_(kernel<Real>()),
-        reference_step_(undeformed_step(mesh_of(problem), problem.mu(), reference_bulk_ratio * problem.mu())),
-        first_step_(undeformed_step(mesh_of(problem), problem.mu(), problem.bulk())),
-        material_(constants(problem, erosion, first_step_)),
-        block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
-               kernel_.lanes),
-        doomed_(block_.view().stride),
-        recorder_(history) {
-    sphere_.speed = problem.speed_factor;
-    sphere_.mass = 2.0 / 3 * problem.density_ratio;
-    impact_energy_ = 0.5 * sphere_.mass * sphere_.speed * sphere_.speed;
+        limits_(step_limits(problem)),
+        block_(problem, mesh_of(problem), limits_.contact_stiffness_per_mass, kernel_.lanes),
+        solid_(problem, block_.layers()),
+        sweep_(block_, kernel_, solid_, threads),
+        particle_(problem),
+        recorder_(history),
+        substeps_(problem.rates) {
+    impact_energy_ = particle_.energy().kinetic;
     rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
-    while (contact_columns_ <= block_.mesh().columns() && block_.mesh().radius[contact_columns_] < search_radius)
-      ++contact_columns_;
+    const auto& x = block_.mesh().radius;
+    while (x[contact_.column_begin] < -search_radius) ++contact_.column_begin;
+    contact_.column_end = contact_.column_begin;
+    while (contact_.column_end <= block_.mesh().columns() && x[contact_.column_end] < search_radius)
+      ++contact_.column_end;
+    if (substeps_ > 1)
+      near_ = NearCells(block_.mesh().columns(), sweep_.whole_groups(block_.mesh().rows), kernel_.lanes);
     result_.elements = block_.mesh().elements();
     result_.smallest_step = 1;
   }
 
   ImpactResult run() {
     for (;;) {
-      find_internal_forces();
-      find_contact_forces();
+      find_all_forces();
       if (has_ended()) break;
-      const double step = choose_step();
-      recorder_.record({time_, sphere_.tip, sphere_.speed, contact_.force});
-      move(0.5 * (last_step_ + step), step);
+      choose_step();
+      recorder_.record({time_, particle_.tip(), particle_.speed(), force()});
+      move_far(0.5 * (last_far_step_ + far_step()), far_step());
+      move_near(0.5 * (last_step_ + step_), step_);
+      for (int substep = 1; substep < substeps_; ++substep) {
+        find_near_forces();
+        move_near(step_, step_);
+      }
+      last_far_step_ = far_step();
       if (++result_.steps % front_interval == 0) extend_front();
     }
     synchronise();
@@ -86,102 +63,169 @@ class March {
   }
 
  private:
-  void find_internal_forces() {
-    forces_ = {};
-    for (int i = 0; i < block_.mesh().columns(); ++i) {
-      kernel_.internal_forces(block_.view(), i, rows_moving_, block_.shapes()[i], material_, last_step_, doomed_.data(),
-                              forces_);
-      for (int k = 0; k < forces_.doomed; ++k) erode(i, doomed_[k]);
-    }
-    viscous_work_ += forces_.viscous_work;
-    result_.smallest_jacobian = std::min(result_.smallest_jacobian, forces_.smallest_jacobian);
+  double far_step() const { return substeps_ * step_; }
+  double force() const { return far_contact_.force + near_contact_.force; }
+
+  void find_all_forces() {
+    if (result_.steps % search_interval == 0) find_contact_rows();
+    if (substeps_ > 1 && result_.steps % near_interval == 0) choose_near_cells();
+    sweep_.set_time(time_);
+    take_in(sweep_.all(near_, rows_moving_, last_far_step_, last_step_));
+    far_inverse_step_ = forces_.far_inverse_step;
     result_.element_steps += static_cast<double>(rows_moving_) * block_.mesh().columns();
+    touch_far();
+    touch_near();
+  }
+
+  void find_near_forces() {
+    sweep_.set_time(time_);
+    take_in(sweep_.near_only(near_, last_step_));
+    result_.element_steps += near_.elements_in_all();
+    touch_near();
+  }
+
+  void take_in(SweepReport report) {
+    forces_ = std::move(report);
+    viscous_work_ += forces_.viscous_work;
+    relaxing_work_ += forces_.relaxing_work;
+    result_.smallest_jacobian = std::min(result_.smallest_jacobian, forces_.smallest_jacobian);
+    for (const int column : forces_.doomed_columns)
+      for (int j = 0; j < rows_moving_; ++j)
+        if (block_.view().alive[block_.at(column, j)] < 0) erode(column, j);
+  }
+
+  // Everything around the particle, and what has lately been too stiff for the long step.
+  void choose_near_cells() {
+    const double height = block_.mesh().row_height;
+    const int end = sweep_.whole_groups(rows_moving_);
+    const auto row_of = [&](double depth) {
+      return std::min(end, std::max(0, static_cast<int>(depth / height)) / kernel_.lanes * kernel_.lanes);
+    };
+    around_ = {row_of(particle_.tip() - near_behind), std::min(end, row_of(particle_.tip()) + kernel_.lanes)};
+    near_.clear();
+    near_.add(std::max(0, contact_.column_begin - 1), std::min(contact_.column_end, block_.mesh().columns()), around_);
+    sweep_.add_stiff(near_);
+    near_.close();
   }
 
   // The energy that leaves with an element is what it stores plus what its forces, gone before the end of the last step, did
   // not do any more in that step's second half; so the books close to second order (docs/theory/impact.md, "Energy").
   void erode(int column, int row) {
-    const auto energy = element_energy(block_, material_, column, row, last_step_);
+    const auto energy = element_energy(block_, solid_, column, row,
+                                       substeps_ > 1 && near_.has(column, row) ? last_step_ : last_far_step_);
     eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
     ++result_.eroded;
-    if (energy.largest_stretch < (1 - rounding_of_stretch) * material_.erosion_stretch) ++result_.distorted;
-    block_.take_out(column, row, [this](int i, int j) { drop_contact(i, j); });
+    if (block_.view().alive[block_.at(column, row)] < -1) ++result_.distorted;
+    if (!solid_.erodes(row)) inside_out_ = true;
+    block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact,
+                    [this](int i, int j) { drop_contact(i, j); });
   }
 
   void drop_contact(int column, int row) {
     const auto& view = block_.view();
     const long n = block_.at(column, row);
-    const double r = block_.mesh().radius[column] + view.u_r[n];
-    const double z = row * block_.mesh().row_height + view.u_z[n] - sphere_.centre();
-    const double distance = std::sqrt(r * r + z * z);
-    if (distance >= 1 || distance == 0) return;
-    const double gap = 1 - distance, stiffness = view.contact_stiffness[n];
-    const double apart = (view.v_r[n] * r + (view.v_z[n] - sphere_.speed) * z) / distance;
+    const double x = block_.mesh().radius[column] + view.u_r[n], z = row * block_.mesh().row_height + view.u_z[n];
+    const auto [gap, normal_x, normal_z] = particle_.overlap(x, z);
+    if (gap == 0) return;
+    const auto velocity = particle_.velocity_at(x, z);
+    const double stiffness = view.contact_stiffness[n];
+    const double apart = (view.v_r[n] - velocity.x) * normal_x + (view.v_z[n] - velocity.z) * normal_z;
     dropped_energy_ += 0.5 * stiffness * gap * gap + 0.5 * last_step_ * stiffness * gap * apart;
   }
 
-  void find_contact_forces() {
-    if (result_.steps % search_interval == 0) find_highest_contact_row();
+  // Nodes around the particle meet it once a short step, others once a long one.
+  void touch_far() {
     const double height = block_.mesh().row_height;
-    const int row_end = std::min(rows_moving_, static_cast<int>((sphere_.tip + 1) / height) + 2);
-    contact_ = {};
-    for (int i = 0; i < contact_columns_; ++i)
-      kernel_.sphere_contact(block_.view(), i, block_.mesh().radius[i], height, highest_contact_row_, row_end,
-                             sphere_.centre(), contact_);
-    result_.largest_gap = std::max(result_.largest_gap, contact_.largest_gap / height);
+    contact_.rows.end = std::min(rows_moving_, static_cast<int>((particle_.tip() + 1) / height) + 2);
+    far_contact_ = {};
+    const auto touch = [&](Rows rows) {
+      if (rows.empty()) return;
+      far_contact_ +=
+          particle_.touch(kernel_, block_, block_.far_forces(), {contact_.column_begin, contact_.column_end, rows});
+    };
+    touch({contact_.rows.begin, std::min(contact_.rows.end, around_.begin)});
+    touch({std::max(contact_.rows.begin, around_.end), contact_.rows.end});
+    result_.largest_gap = std::max(result_.largest_gap, far_contact_.largest_gap / height);
   }
 
-  // The rows above are, and stay until the next search, higher than the sphere's top.
-  void find_highest_contact_row() {
+  void touch_near() {
+    near_contact_ = {};
+    const Rows rows{std::max(contact_.rows.begin, around_.begin), std::min(contact_.rows.end, around_.end)};
+    if (rows.empty()) return;
+    near_contact_ =
+        particle_.touch(kernel_, block_, block_.near_forces(), {contact_.column_begin, contact_.column_end, rows});
+    result_.largest_gap = std::max(result_.largest_gap, near_contact_.largest_gap / block_.mesh().row_height);
+  }
+
+  // The rows above the first are, and stay until the next search, higher than the particle's top.
+  void find_contact_rows() {
     const double height = block_.mesh().row_height;
-    const double top = sphere_.tip - 2 - 0.25 - 4 * search_interval * first_step_;
-    highest_contact_row_ = rows_moving_;
-    for (int i = 0; i < contact_columns_; ++i)
-      for (int j = 0; j < highest_contact_row_; ++j) {
+    const double top = particle_.top() - 0.25 - 3 * search_interval * step_;
+    int first = rows_moving_;
+    for (int i = contact_.column_begin; i < contact_.column_end; ++i)
+      for (int j = 0; j < first; ++j) {
         const long n = block_.at(i, j);
-        if (block_.view().contact_stiffness[n] > 0 && j * height + block_.view().u_z[n] > top) highest_contact_row_ = j;
+        if (block_.view().contact_stiffness[n] > 0 && j * height + block_.view().u_z[n] > top) first = j;
       }
+    contact_.rows.begin = first / kernel_.lanes * kernel_.lanes;
   }
 
   bool has_ended() {
-    result_.depth = std::max(result_.depth, sphere_.tip);
-    const double speed_now = sphere_.speed - contact_.force / sphere_.mass * 0.5 * last_step_;
-    if (!std::isfinite(contact_.force) || !std::isfinite(viscous_work_))
+    result_.depth = std::max(result_.depth, particle_.tip());
+    if (!std::isfinite(force()) || !std::isfinite(viscous_work_ + relaxing_work_))
       return end(Outcome::unstable, "a force is not finite");
-    if (std::is_same_v<ErosionOf, NoErosion> && result_.eroded > 0)
-      return end(Outcome::unstable, "an element turned inside out");
-    if (forces_.largest_inverse_step * first_step_ * collapsed_step > 1)
+    if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
+    if (std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step * collapsed_step > 1)
       return end(Outcome::unstable, "the time step collapsed");
-    if (std::abs(sphere_.speed) > 10 * problem_.speed_factor)
-      return end(Outcome::unstable, "the sphere is ten times faster than at impact");
+    if (std::abs(particle_.speed()) > 10 * problem_.speed_factor)
+      return end(Outcome::unstable, "the particle is ten times faster than at impact");
+    if (const std::string failure = particle_.failure(); !failure.empty()) return end(Outcome::unstable, failure);
     if (result_.steps >= most_steps) return end(Outcome::time_up, "");
-    if (speed_now <= 0) return end(Outcome::stopped, "");
-    if (sphere_.tip >= problem_.depth) return end(Outcome::passed_through, "");
+    if (speed_now() <= 0) return end(Outcome::stopped, "");
+    if (particle_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
     if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
     return false;
   }
 
-  bool end(Outcome outcome, const char* reason) {
+  // At the time of the displacements.
+  double speed_now() const {
+    return particle_.speed() + particle_.speed_change(far_contact_, 0.5 * last_far_step_) +
+           particle_.speed_change(near_contact_, 0.5 * last_step_);
+  }
+
+  bool end(Outcome outcome, const std::string& reason) {
     result_.outcome = outcome;
     result_.reason = reason;
     return true;
   }
 
-  double choose_step() {
-    const double of_elements = problem_.time_step_factor / std::max(forces_.largest_inverse_step, 1 / first_step_);
-    // Contact springs add kappa/dt_ref^2 to a node's squared frequency.
-    const double of_contact = 2 * reference_step_ / std::sqrt(problem_.contact_stiffness);
-    double step = of_elements / std::sqrt(1 + (of_elements / of_contact) * (of_elements / of_contact));
-    if (last_step_ > 0) step = std::min(step, step_growth * last_step_);
-    result_.smallest_step = std::min(result_.smallest_step, step / (problem_.time_step_factor * first_step_));
-    return step;
+  // The step of the particle and of what is near it; the far elements take substeps_ times as much.
+  void choose_step() {
+    const double first = 1 / limits_.first_step;
+    step_ =
+        std::min(stable_step(forces_.near_inverse_step), stable_step(std::max(far_inverse_step_, first)) / substeps_);
+    if (last_step_ > 0) step_ = std::min(step_, step_growth * last_step_);
+    result_.smallest_step = std::min(result_.smallest_step, step_ / (limits_.time_step_factor * limits_.first_step));
+    if (substeps_ > 1)
+      sweep_.watch(std::max(1 / (longest_far_step * limits_.first_step), forces_.near_inverse_step / substeps_));
   }
 
-  void move(double kick, double drift) {
-    for (int i = 0; i < block_.mesh().columns(); ++i)
-      kernel_.kick_and_drift(block_.view(), i, rows_moving_, kick, drift);
-    sphere_.speed -= contact_.force / sphere_.mass * kick;
-    sphere_.tip += sphere_.speed * drift;
+  // Contact springs add kappa/dt_ref^2 to a node's squared frequency, and more where the particle's nodes swing as well.
+  double stable_step(double inverse_step) const {
+    const double factor = limits_.time_step_factor;
+    const double springs = limits_.largest_contact_stiffness_per_mass + particle_.spring_stiffness_per_mass();
+    return factor / std::sqrt(inverse_step * inverse_step + 0.25 * factor * factor * springs);
+  }
+
+  void move_far(double kick, double drift) {
+    sweep_.move_far(near_, rows_moving_, kick, drift);
+    particle_.kick(far_contact_, kick);
+  }
+
+  void move_near(double kick, double drift) {
+    sweep_.move_near(near_, kick, drift);
+    particle_.kick(near_contact_, kick);
+    particle_.drift(drift);
     time_ += drift;
     last_step_ = drift;
   }
@@ -201,21 +245,30 @@ class March {
       }
   }
 
-  // Brings velocities to the time of the displacements: the second half of the last kick.
-  void synchronise() { move(0.5 * last_step_, 0); }
+  // Brings velocities to the time of the displacements: the second half of the last kicks.
+  void synchronise() {
+    const double short_step = last_step_;
+    move_far(0.5 * last_far_step_, 0);
+    move_near(0.5 * short_step, 0);
+  }
 
   void close_the_books() {
-    EnergyLedger energy = stored_energy(block_, material_);
-    energy.particle = 0.5 * sphere_.mass * sphere_.speed * sphere_.speed;
-    energy.viscosity = viscous_work_;
+    EnergyLedger energy = stored_energy(block_, solid_);
+    const ParticleEnergy own = particle_.energy();
+    energy.particle = own.kinetic;
+    energy.particle_elastic = own.stored;
+    energy.viscosity = viscous_work_ + own.viscous;
+    energy.relaxation = relaxing_work_;
     energy.eroded = eroded_energy_;
-    energy.contact = contact_.spring_energy;
+    energy.contact = far_contact_.spring_energy + near_contact_.spring_energy;
     energy.contact_dropped = dropped_energy_;
     for (const auto& [key, share] : energy_terms) energy.*share /= impact_energy_;
     result_.energy = energy;
     result_.end_time = time_;
-    result_.end_speed = sphere_.speed;
-    recorder_.finish({time_, sphere_.tip, sphere_.speed, contact_.force});
+    result_.end_speed = particle_.speed();
+    result_.sideways = particle_.sideways();
+    result_.turn = particle_.turn();
+    recorder_.finish({time_, particle_.tip(), particle_.speed(), force()});
     result_.history = recorder_.take();
     const bool closes = std::abs(energy.closure()) <= tolerated_energy_error;  // false for NaN
     if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
@@ -223,39 +276,56 @@ class March {
 
   const Problem& problem_;
   const Kernel<Real>& kernel_;
-  const double reference_step_, first_step_;
-  const MaterialConstants material_;
+  const StepLimits limits_;
   Block<Real> block_;
-  Sphere sphere_;
-  std::vector<int> doomed_;
+  const TargetSolid solid_;
+  Sweep<Real> sweep_;
+  ParticleRun particle_;
   Recorder<HistoryOf> recorder_;
-  ColumnReport forces_;
-  SphereReport contact_;
+  const int substeps_;
+  NearCells near_;           // elements that take the short step
+  Rows around_{0, 0};        // rows of them around the particle
+  ContactRegion contact_{};  // nodes that the particle can meet
+  typename ParticleRun::Contact far_contact_, near_contact_;
+  SweepReport forces_;
   ImpactResult result_;
-  double time_ = 0, last_step_ = 0, impact_energy_ = 0, viscous_work_ = 0, eroded_energy_ = 0, dropped_energy_ = 0;
-  int rows_moving_ = 0, contact_columns_ = 0, highest_contact_row_ = 0;
+  double time_ = 0, step_ = 0, last_step_ = 0, last_far_step_ = 0, far_inverse_step_ = 0;
+  double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0, dropped_energy_ = 0;
+  int rows_moving_ = 0;
+  bool inside_out_ = false;  // an element that does not erode
+};
+
+template <class Particle>
+struct RunOf;
+template <>
+struct RunOf<RigidSphere> {
+  using type = SphereRun;
+};
+template <>
+struct RunOf<RigidProfile> {
+  using type = ProfileRun;
+};
+template <>
+struct RunOf<ElasticSphere> {
+  using type = ElasticSphereRun;
 };
 
 template <class Real>
-ImpactResult compose_and_run(const Problem& problem) {
+ImpactResult compose_and_run(const Problem& problem, int threads) {
   return std::visit(
-      [&](const auto& erosion, const auto& history) {
-        return March<Real, std::decay_t<decltype(erosion)>, std::decay_t<decltype(history)>>(problem, erosion, history)
-            .run();
+      [&]([[maybe_unused]] const auto& particle, const auto& history) {
+        using ParticleOf = std::decay_t<decltype(particle)>;
+        using HistoryOf = std::decay_t<decltype(history)>;
+        return March<Real, typename RunOf<ParticleOf>::type, HistoryOf>(problem, history, threads).run();
       },
-      problem.erosion, problem.history);
+      problem.particle, problem.history);
 }
 
 }  // namespace
 
-ImpactResult run_impact(const Problem& problem) {
-  if (mach_number(problem) * problem.speed_factor >= 1) {
-    ImpactResult refused;
-    refused.outcome = Outcome::supersonic;
-    return refused;
-  }
-  return problem.arithmetic == Arithmetic::single_precision ? compose_and_run<float>(problem)
-                                                            : compose_and_run<double>(problem);
+ImpactResult run_impact(const Problem& problem, int threads) {
+  return problem.arithmetic == Arithmetic::single_precision ? compose_and_run<float>(problem, threads)
+                                                            : compose_and_run<double>(problem, threads);
 }
 
 }  // namespace percal

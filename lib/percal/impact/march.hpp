@@ -5,8 +5,8 @@
 
 namespace percal {
 
-// Runs one problem on the calling thread. A problem whose impact is faster than the target's waves is not run: the outcome is
-// supersonic. The same problem gives the same bits at every call (for one instruction level).
-ImpactResult run_impact(const Problem& problem);
+// Runs one problem on `threads` threads, the calling one among them. The same problem gives the same bits at every call and with
+// any number of threads (for one instruction level). docs/theory/impact.md.
+ImpactResult run_impact(const Problem& problem, int threads = 1);
 
 }  // namespace percal

@@ -17,15 +17,17 @@ Outcome outcome_from(const std::string& word);  // throws std::invalid_argument
 
 // Where the impact energy went, each as a share of it. Shares of a perfect solver sum to 1.
 struct EnergyLedger {
-  double particle = 0;         // kinetic, of the sphere
-  double live_kinetic = 0;     // of nodes that have an element left
-  double freed_mass = 0;       // kinetic, of nodes whose elements are all gone
-  double elastic = 0;          // stored in live elements
-  double hourglass = 0;        // stored in their hourglass springs
-  double viscosity = 0;        // taken by the bulk viscosity
-  double eroded = 0;           // stored in elements when they were taken out
-  double contact = 0;          // stored in contact springs
-  double contact_dropped = 0;  // stored in contact springs of nodes when their last element was taken out
+  double particle = 0;          // kinetic, of the particle
+  double particle_elastic = 0;  // stored in an elastic particle
+  double live_kinetic = 0;      // of nodes that have an element left
+  double freed_mass = 0;        // kinetic, of nodes whose elements are all gone
+  double elastic = 0;           // stored in live elements
+  double hourglass = 0;         // stored in their hourglass springs
+  double viscosity = 0;         // taken by the bulk viscosity
+  double relaxation = 0;        // work of the stresses that relax: lost, or not yet; `elastic` is then what lasts
+  double eroded = 0;            // stored in elements when they were taken out
+  double contact = 0;           // stored in contact springs
+  double contact_dropped = 0;   // stored in contact springs of nodes when their last element was taken out
 
   double sum() const;
   double closure() const { return sum() - 1; }                           // the solver's own energy error
@@ -38,11 +40,13 @@ struct EnergyTerm {
   double EnergyLedger::*share;
 };
 inline constexpr EnergyTerm energy_terms[] = {{"particle", &EnergyLedger::particle},
+                                              {"particle_elastic", &EnergyLedger::particle_elastic},
                                               {"live_kinetic", &EnergyLedger::live_kinetic},
                                               {"freed_mass", &EnergyLedger::freed_mass},
                                               {"elastic", &EnergyLedger::elastic},
                                               {"hourglass", &EnergyLedger::hourglass},
                                               {"viscosity", &EnergyLedger::viscosity},
+                                              {"relaxation", &EnergyLedger::relaxation},
                                               {"eroded", &EnergyLedger::eroded},
                                               {"contact", &EnergyLedger::contact},
                                               {"contact_dropped", &EnergyLedger::contact_dropped}};
@@ -60,8 +64,10 @@ struct ImpactResult {
   double depth = 0;    // deepest tip position, radii
   double end_time = 0;
   double end_speed = 0;
+  double sideways = 0;  // how far a free particle's centre of mass went to the right, radii
+  double turn = 0;      // how far it turned anticlockwise, rad
   long elements = 0;
-  long steps = 0;
+  long steps = 0;            // of the longer kind
   double element_steps = 0;  // elements of the rows that were advanced, live and dead, times their steps
   long eroded = 0;
   long distorted = 0;  // of these: taken out because J or the step became too small, not by their strain

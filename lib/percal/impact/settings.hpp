@@ -9,15 +9,26 @@ inline constexpr double distorted_jacobian = 0.05;  // an eroding scene takes ou
 inline constexpr double inverted_jacobian = 1e-3;   // below it an element counts as turned inside out
 inline constexpr double distorted_step =
     0.016;  // an eroding scene takes out an element whose step falls below this share of the first
-inline constexpr double rounding_of_stretch =
-    1e-4;  // the kernel's stretch, in single precision, against the ledger's in double
 inline constexpr double collapsed_step = 1e-5;  // a run whose step falls below this share of the first is unstable
 inline constexpr double rest_speed = 1e-6;      // rows whose nodes are all slower (over impact speed) are at rest
-inline constexpr int front_rows = 32;           // rows are set in motion in groups of this many
+inline constexpr double near_behind = 2;  // the short step is taken from this many radii above the tip, in undeformed
+                                          // depth, to the first whole group of rows below it
+inline constexpr double longest_far_step =
+    0.9;                                 // the long step may be this share of the undeformed element's stable one
+inline constexpr int near_interval = 8;  // long steps between two choices of who takes the short one
+inline constexpr double supersonic_quadratic =
+    2;  // least viscosities and largest time-step factor where the impact is faster
+inline constexpr double supersonic_linear = 0.2;  // than the target's waves
+inline constexpr double supersonic_step = 0.5;
+inline constexpr int front_rows = 32;       // rows are set in motion in groups of this many
 inline constexpr int front_interval = 8;    // steps between two looks at the front: a wave crosses a row a step at most
 inline constexpr int search_interval = 32;  // steps between two searches for the highest row that contact can reach
 inline constexpr double search_radius = 2.2;            // columns that start further out never meet the sphere
 inline constexpr double tolerated_energy_error = 0.25;  // a run that makes or loses more energy is unstable
+inline constexpr int fewest_particle_elements = 6;      // on an elastic particle's radius
+inline constexpr double particle_step_factor = 0.8;     // share of its stable step that an elastic particle takes
+inline constexpr int particle_step_interval = 4;        // moves of an elastic particle between two looks at its step
+inline constexpr int most_particle_steps = 200;         // of an elastic particle in one of the march's: beyond, not run
 inline constexpr long most_steps = 50'000'000;
 
 }  // namespace percal

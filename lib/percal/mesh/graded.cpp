@@ -45,4 +45,12 @@ GradedMesh graded_mesh(const GradedMeshOptions& options) {
   return mesh;
 }
 
+GradedMesh mirrored(const GradedMesh& right_half) {
+  GradedMesh whole = right_half;
+  whole.radius.clear();
+  for (auto x = right_half.radius.rbegin(); *x > 0; ++x) whole.radius.push_back(-*x);
+  whole.radius.insert(whole.radius.end(), right_half.radius.begin(), right_half.radius.end());
+  return whole;
+}
+
 }  // namespace percal

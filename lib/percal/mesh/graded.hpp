@@ -6,7 +6,7 @@ namespace percal {
 
 // Node (i, j) stands at radius[i] and depth j row_height. Element (i, j) has it as its upper inner corner.
 struct GradedMesh {
-  std::vector<double> radius;  // columns + 1 of them, from 0 (the axis) to the wall
+  std::vector<double> radius;  // columns + 1 of them, from 0 (the axis) to the wall; of a whole mesh from wall to wall
   int rows = 0;
   double row_height = 0;
 
@@ -24,5 +24,8 @@ struct GradedMeshOptions {
 
 // Needs depth > 0 and width > 0. Where the fine columns reach the wall there are no graded ones.
 GradedMesh graded_mesh(const GradedMeshOptions& options);
+
+// The mesh and its mirror image about x = 0.
+GradedMesh mirrored(const GradedMesh& right_half);
 
 }  // namespace percal

@@ -1,14 +1,50 @@
 // Everything that a scene may ask for and may leave out, on one page. Each is a variant with an empty alternative: what is
-// left out has no state and costs no work. The march is composed once a run from these.
+// left out has no state and costs no work. The march is composed once a run from these. Dimensionless: radius, impact speed and
+// the first layer's density are 1.
 #pragma once
+#include <array>
 #include <variant>
+#include <vector>
 
 #include "percal/scene/scene.hpp"
 
 namespace percal {
 
-// Elements that are stretched too far are taken out of the mesh, or nothing is.
-//   NoErosion, StrainErosion: scene/scene.hpp
+// Elements that are stretched or loaded too far are taken out of the mesh, or nothing is: NoErosion, StrainErosion,
+// StressErosion, EnergyErosion of scene/scene.hpp, limits over rho_t v^2.
+
+// The deviatoric stress relaxes, or it does not: NoRelaxation, PronySeries of scene/scene.hpp, times in radii at impact speed.
+
+// The particle.
+struct RigidSphere {
+  bool operator==(const RigidSphere&) const = default;
+};
+// A convex polygon, anticlockwise, with x to the right and y upwards from its centre of mass, its half width 1.
+struct RigidProfile {
+  std::vector<std::array<double, 2>> vertices;
+  double mass =
+      0;  // per radian (axisymmetric) or per unit of thickness, of the whole body, over rho_t a^3 or rho_t a^2
+  double inertia = 0;  // about the centre of mass; used where free_rotation
+  bool free_rotation = false;
+  bool operator==(const RigidProfile&) const = default;
+};
+struct ElasticSphere {
+  double youngs_modulus = 0;  // over rho_t v^2
+  double poisson_ratio = 0.3;
+  bool operator==(const ElasticSphere&) const = default;
+};
+using Particle = std::variant<RigidSphere, RigidProfile, ElasticSphere>;
+
+// A layer below the first.
+struct LowerLayer {
+  double depth = 0;    // its thickness
+  double density = 1;  // over the first layer's
+  double mu = 0;       // over rho_t v^2: the first layer's would be 1/pi4
+  double alpha = 0;
+  double bulk_ratio = 50;    // K / mu
+  double erosion_limit = 0;  // as the first layer's limit is meant; infinite: does not erode
+  bool operator==(const LowerLayer&) const = default;
+};
 
 // The penetration history, or nothing.
 struct NoHistory {};
@@ -17,6 +53,7 @@ struct History {
 };  // about this many, evenly spaced in steps
 using HistoryChoice = std::variant<NoHistory, History>;
 
-static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoHistory>);
+static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoRelaxation> && std::is_empty_v<RigidSphere> &&
+              std::is_empty_v<NoHistory>);
 
 }  // namespace percal

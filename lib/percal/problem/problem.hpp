@@ -16,7 +16,12 @@ struct Problem {
   double depth = 75;       // L / a
   double width = 5;        // w / a
   Bottom bottom = Bottom::free;
+  Geometry geometry = Geometry::axisymmetric;
+  bool whole = false;  // plane strain: both sides of x = 0; else the right half, mirrored
+  Particle particle = RigidSphere{};
+  std::vector<LowerLayer> below;  // `depth` is then the first layer's thickness
   Erosion erosion = NoErosion{};
+  Relaxation relaxation = NoRelaxation{};
 
   int elements_per_radius = 10;
   double fine_width = 1;
@@ -24,9 +29,13 @@ struct Problem {
 
   double contact_stiffness = 0.6;
   double hourglass = 0.5;
+  HourglassForm hourglass_form = HourglassForm::stiffness;
+  VolumetricLaw volumetric_law = VolumetricLaw::log_quadratic;
+  ErodedNodes eroded_nodes = ErodedNodes::released;
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
-  double time_step_factor = 0.8;
+  double time_step_factor = 0.9;
+  int rates = 2;
   Arithmetic arithmetic = Arithmetic::single_precision;
   double end_time = 1000;  // in radii at impact speed
 
@@ -35,9 +44,10 @@ struct Problem {
 
   double mu() const { return 1 / pi4; }
   double bulk() const { return bulk_ratio / pi4; }
+  double whole_depth() const;  // of all layers
 };
 
-// v over the dilatational wave speed sqrt((K + 4 mu/3)/rho).
+// v over the dilatational wave speed sqrt((K + 4 mu/3)/rho), of the layer that has the slowest.
 double mach_number(const Problem& problem);
 
 // Below this Mach number the depth no longer depends on K (docs/theory/impact.md), and the K/mu that gives it, with 1 % to spare.

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "percal/problem/left_out.hpp"
+#include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
+#include "percal/scene/profile.hpp"
 
 namespace percal {
 namespace {
 
 constexpr double smallest_chosen_ratio = 50;
-constexpr double rigid_below = 0.02;  // (rho_t v^2 + 10 mu)/E: docs/theory/impact.md
 
 struct BulkRatio {
   double pi4;
@@ -18,34 +21,108 @@ struct BulkRatio {
   double operator()(const BulkToShear& given) const { return given.ratio; }
 };
 
-void leave_out_the_particles_elasticity(const Scene& scene, double mu_true, Reduction& reduction) {
-  const auto& particle = scene.particle;
-  if (!particle.youngs_modulus) {
-    reduction.left_out.push_back({"elastic particle", "the scene gives no Young's modulus: the particle is rigid"});
-    return;
-  }
-  const double ratio =
-      (scene.target.density * particle.speed * particle.speed + 10 * mu_true) / *particle.youngs_modulus;
-  const auto figure = fmt::format("(rho_t v^2 + 10 mu)/E = {:.2g}", ratio);
-  if (ratio < rigid_below) {
-    reduction.left_out.push_back({"elastic particle", figure + fmt::format(" is below {}: rigid", rigid_below)});
-  } else {
-    reduction.left_out.push_back({"elastic particle", "only a rigid particle can be run"});
-    reduction.warnings.push_back(
-        figure + fmt::format(" is not below {}: the particle's elasticity, left out here, may matter", rigid_below));
-  }
+// K/mu of a layer with this rho v^2/mu. One that makes the impact supersonic is raised where the scene asks for that.
+double bulk_ratio(const VolumetricChoice& volumetric, double pi4, const std::string& layer, const SolverScene& solver,
+                  Reduction& reduction) {
+  const double given = round_to_12_digits(std::visit(BulkRatio{pi4}, volumetric));
+  const double mach = std::sqrt(pi4 / (given + 4.0 / 3));
+  if (!solver.stiffen_supersonic || mach < 1) return given;
+  const double raised = round_to_12_digits(subsonic_bulk_ratio(pi4));
+  reduction.warnings.push_back(
+      fmt::format("{}: K/mu = {:.4g} makes the impact supersonic (Mach number {:.3g}); raised to {:.4g}, as "
+                  "stiffen_supersonic asks, for a Mach number of {}",
+                  layer, given, mach, raised, recommended_mach));
+  return raised;
 }
 
-void list_what_is_left_out(const Scene& scene, Reduction& reduction) {
-  leave_out_the_particles_elasticity(scene, reduction.mu_true, reduction);
-  if (std::holds_alternative<NoErosion>(scene.target.erosion))
-    reduction.left_out.push_back({"erosion", "the scene gives no erosion strain"});
-  if (!scene.output.history) reduction.left_out.push_back({"history", "nobody asked for it"});
-  reduction.left_out.push_back({"rate dependence", "the scene gives none"});
-  reduction.left_out.push_back({"further layers", "the scene has one"});
-  reduction.left_out.push_back({"rows at rest", "rows that the wave has not reached are not advanced"});
-  reduction.left_out.push_back(
-      {"contact away from the particle", "only nodes within reach of the sphere are searched"});
+// Limits without dimensions.
+struct ReducedErosion {
+  double stress;  // rho_t v^2, Pa
+  Erosion operator()(const NoErosion&) const { return NoErosion{}; }
+  Erosion operator()(const StrainErosion& strain) const {
+    return StrainErosion{round_to_12_digits(strain.limit), strain.measure};
+  }
+  Erosion operator()(const StressErosion& erosion) const {
+    return StressErosion{round_to_12_digits(erosion.limit / stress)};
+  }
+  Erosion operator()(const EnergyErosion& erosion) const {
+    return EnergyErosion{round_to_12_digits(erosion.limit / stress)};
+  }
+};
+
+// The limit of a layer below, as the first one's is meant.
+double lower_limit(const LowerLayerScene& layer, const Erosion& first, double stress) {
+  if (!layer.erosion_limit || std::holds_alternative<NoErosion>(first)) return std::numeric_limits<double>::infinity();
+  return round_to_12_digits(*layer.erosion_limit / (std::holds_alternative<StrainErosion>(first) ? 1 : stress));
+}
+
+std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reduction& reduction) {
+  std::vector<LowerLayer> below;
+  for (const LowerLayerScene& layer : scene.below) {
+    const double mu = true_modulus(layer.mu_as_given, layer.alpha, scene.target.convention);
+    LowerLayer reduced;
+    reduced.depth = round_to_12_digits(layer.depth / scene.particle.radius);
+    reduced.density = round_to_12_digits(layer.density / scene.target.density);
+    reduced.mu = round_to_12_digits(mu / stress);
+    reduced.alpha = round_to_12_digits(layer.alpha);
+    reduced.bulk_ratio =
+        bulk_ratio(layer.volumetric, reduced.density / reduced.mu, layer.name, scene.solver, reduction);
+    reduced.erosion_limit = lower_limit(layer, scene.target.erosion, stress);
+    below.push_back(reduced);
+  }
+  return below;
+}
+
+Relaxation reduced_relaxation(const Scene& scene) {
+  const auto* series = std::get_if<PronySeries>(&scene.target.relaxation);
+  if (!series) return NoRelaxation{};
+  PronySeries reduced;
+  for (const PronyTerm& term : series->terms)
+    reduced.terms.push_back(
+        {round_to_12_digits(term.share), round_to_12_digits(term.time * scene.particle.speed / scene.particle.radius)});
+  return reduced;
+}
+
+void take_mesh(const Scene& scene, Problem& p) {
+  p.elements_per_radius = scene.mesh.elements_per_radius;
+  p.fine_width = round_to_12_digits(scene.mesh.fine_width);
+  const int fine_columns = std::max(1, static_cast<int>(std::lround(p.fine_width * p.elements_per_radius)));
+  p.graded_columns = scene.mesh.graded_columns.value_or(std::max(2, (fine_columns + 1) / 2));
+  p.whole = scene.geometry == Geometry::plane_strain && (scene.mesh.whole || needs_both_halves(scene.particle));
+}
+
+void take_solver(const Scene& scene, Problem& p) {
+  const SolverScene& solver = scene.solver;
+  p.contact_stiffness = round_to_12_digits(solver.contact_stiffness);
+  p.hourglass = round_to_12_digits(solver.hourglass);
+  p.hourglass_form = solver.hourglass_form;
+  p.volumetric_law = solver.volumetric_law;
+  p.eroded_nodes = solver.eroded_nodes;
+  p.linear_viscosity = round_to_12_digits(solver.linear_viscosity);
+  p.quadratic_viscosity = round_to_12_digits(solver.quadratic_viscosity);
+  p.time_step_factor = round_to_12_digits(solver.time_step_factor);
+  p.rates = solver.rates;
+  p.arithmetic = solver.arithmetic;
+  if (solver.end_time) p.end_time = round_to_12_digits(*solver.end_time * scene.particle.speed / scene.particle.radius);
+}
+
+void warn_of_the_particle(const Scene& scene, Reduction& reduction) {
+  const auto ratio = stress_over_particle_stiffness(scene);
+  if (!ratio || *ratio < rigid_below || is_elastic(scene)) return;
+  reduction.warnings.push_back(fmt::format(
+      "(rho_t v^2 + 10 mu)/E = {:.2g} is not below {}: the particle's elasticity, left out here, may matter", *ratio,
+      rigid_below));
+}
+
+void warn_of_the_mach_number(Reduction& reduction) {
+  if (reduction.mach >= 1)
+    reduction.warnings.push_back(fmt::format(
+        "Mach number {:.3g}: the impact is faster than the target's waves; it runs with shock viscosity and a "
+        "smaller step, and the depth depends on K",
+        reduction.mach));
+  else if (reduction.mach > recommended_mach)
+    reduction.warnings.push_back(
+        fmt::format("Mach number {:.3g} is above {}: the depth may depend on K", reduction.mach, recommended_mach));
 }
 
 }  // namespace
@@ -56,34 +133,31 @@ Reduction reduce(const Scene& scene) {
   Reduction reduction;
   reduction.scales = {particle.radius, particle.speed, target.density};
   reduction.mu_true = true_modulus(target.mu_as_given, target.alpha, target.convention);
-  const double pi4 = target.density * particle.speed * particle.speed / reduction.mu_true;
+  const double stress = target.density * particle.speed * particle.speed;
 
   Problem& p = reduction.problem;
-  p.pi4 = round_to_12_digits(pi4);
-  p.density_ratio = round_to_12_digits(particle.density / target.density);
+  p.pi4 = round_to_12_digits(stress / reduction.mu_true);
+  p.density_ratio = round_to_12_digits(particle_density(scene) / target.density);
   p.alpha = round_to_12_digits(target.alpha);
-  p.bulk_ratio = round_to_12_digits(std::visit(BulkRatio{p.pi4}, target.volumetric));
+  p.bulk_ratio = bulk_ratio(target.volumetric, p.pi4, target.name, scene.solver, reduction);
   p.depth = round_to_12_digits(target.depth / particle.radius);
   p.width = round_to_12_digits(target.width / particle.radius);
   p.bottom = target.bottom;
-  p.erosion = target.erosion;
-  p.elements_per_radius = scene.mesh.elements_per_radius;
-  p.fine_width = round_to_12_digits(scene.mesh.fine_width);
-  const int fine_columns = std::max(1, static_cast<int>(std::lround(p.fine_width * p.elements_per_radius)));
-  p.graded_columns = scene.mesh.graded_columns.value_or(std::max(2, (fine_columns + 1) / 2));
-  p.contact_stiffness = scene.solver.contact_stiffness;
-  p.hourglass = scene.solver.hourglass;
-  p.linear_viscosity = scene.solver.linear_viscosity;
-  p.quadratic_viscosity = scene.solver.quadratic_viscosity;
-  p.time_step_factor = scene.solver.time_step_factor;
-  p.arithmetic = scene.solver.arithmetic;
-  if (scene.solver.end_time) p.end_time = round_to_12_digits(*scene.solver.end_time * particle.speed / particle.radius);
+  p.geometry = scene.geometry;
+  p.particle = reduced_particle(scene, p.density_ratio);
+  p.below = layers_below(scene, stress, reduction);
+  p.erosion = std::visit(ReducedErosion{stress}, target.erosion);
+  p.relaxation = reduced_relaxation(scene);
+  take_mesh(scene, p);
+  take_solver(scene, p);
   if (scene.output.history) p.history = History{};
 
   reduction.bulk_modulus = p.bulk_ratio * reduction.mu_true;
   reduction.mach = mach_number(p);
   reduction.bulk_was_chosen = std::holds_alternative<ChooseBulk>(target.volumetric);
-  list_what_is_left_out(scene, reduction);
+  reduction.left_out = list_what_is_left_out(scene, p);
+  warn_of_the_particle(scene, reduction);
+  warn_of_the_mach_number(reduction);
   return reduction;
 }
 

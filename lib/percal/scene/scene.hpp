@@ -1,9 +1,11 @@
 // An impact as the user wrote it, in SI. problem/ turns it into the dimensionless problem that is solved. What a scene
 // may leave out is a variant with an empty alternative or an optional; left out means: not there, not zero.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "percal/material/conventions.hpp"
 
@@ -11,6 +13,7 @@ namespace percal {
 
 enum class Bottom { free, fixed };
 enum class Arithmetic { single_precision, double_precision };
+enum class Geometry { axisymmetric, plane_strain };
 
 // --- volumetric stiffness: what the scene says about it ---------------------------------------------------------
 // K at least 50 mu and a Mach number below 0.3.
@@ -36,15 +39,61 @@ struct StrainErosion {
   StrainMeasure measure = StrainMeasure::engineering;
   bool operator==(const StrainErosion&) const = default;
 };
-using Erosion = std::variant<NoErosion, StrainErosion>;
+struct StressErosion {
+  double limit;  // Pa, of the largest principal Cauchy stress
+  bool operator==(const StressErosion&) const = default;
+};
+struct EnergyErosion {
+  double limit;  // J per m3 of the undeformed solid, of the stored energy density
+  bool operator==(const EnergyErosion&) const = default;
+};
+using Erosion = std::variant<NoErosion, StrainErosion, StressErosion, EnergyErosion>;
 
-struct SphereScene {
+// --- relaxation -------------------------------------------------------------------------------------------------
+struct NoRelaxation {
+  bool operator==(const NoRelaxation&) const = default;
+};
+// Of the deviatoric stress: mu(t) = mu (1 - sum g_i (1 - exp(-t/tau_i))), mu the instantaneous modulus.
+struct PronyTerm {
+  double share;  // g_i
+  double time;   // tau_i: s in a scene, radii at impact speed in a problem
+  bool operator==(const PronyTerm&) const = default;
+};
+struct PronySeries {
+  std::vector<PronyTerm> terms;
+  bool operator==(const PronySeries&) const = default;
+};
+using Relaxation = std::variant<NoRelaxation, PronySeries>;
+
+// --- the particle -----------------------------------------------------------------------------------------------
+// A sphere; in plane strain a cylinder lying on its side.
+struct RoundShape {
+  bool operator==(const RoundShape&) const = default;
+};
+// A rigid convex polygon: the cross-section of a prism in plane strain, the meridian of a body of revolution in an axisymmetric
+// scene, where it is its own mirror image about x = 0. ParticleScene::radius is half its width, as it stands.
+struct ProfileShape {
+  std::string vertices_file;                    // CSV they came from; may be empty
+  std::vector<std::array<double, 2>> vertices;  // m, (x, height), anticlockwise, before it is turned
+  double orientation = 0;                       // rad, by which it is turned anticlockwise
+  std::optional<double> mass;                   // kg, or kg per metre of a prism; left out: by the density
+  bool free_rotation = false;                   // free to turn and to move sideways; else straight down as it stands
+  bool operator==(const ProfileShape&) const = default;
+};
+using ParticleShape = std::variant<RoundShape, ProfileShape>;
+
+enum class Elasticity { automatic, rigid, elastic };  // automatic: rigid where the target is too soft to deform it
+
+struct ParticleScene {
   std::string name = "sphere";
+  ParticleShape shape = RoundShape{};
   double radius = 0;                     // m
   double density = 0;                    // kg/m3
   double speed = 0;                      // m/s, straight down
-  std::optional<double> youngs_modulus;  // Pa; only decides whether a rigid particle is good enough
-  bool operator==(const SphereScene&) const = default;
+  std::optional<double> youngs_modulus;  // Pa
+  double poisson_ratio = 0.3;            // of an elastic particle
+  Elasticity elasticity = Elasticity::automatic;
+  bool operator==(const ParticleScene&) const = default;
 };
 
 struct LayerScene {
@@ -58,7 +107,21 @@ struct LayerScene {
   double width = 0;  // m, radius of the fixed outer wall
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
+  Relaxation relaxation = NoRelaxation{};
   bool operator==(const LayerScene&) const = default;
+};
+
+// A layer below the target's first; LayerScene::depth is then the first one's thickness. Its erosion is judged as the first one's,
+// with a limit of its own; modulus convention and relaxation are the first one's.
+struct LowerLayerScene {
+  std::string name = "layer";
+  double density = 0;      // kg/m3
+  double mu_as_given = 0;  // Pa
+  double alpha = 0;
+  VolumetricChoice volumetric = ChooseBulk{};
+  double depth = 0;                     // m, its thickness
+  std::optional<double> erosion_limit;  // in the unit of the first one's; left out: does not erode
+  bool operator==(const LowerLayerScene&) const = default;
 };
 
 // The mesh: square elements of side radius/elements_per_radius within fine_width radii of the axis, then
@@ -67,16 +130,29 @@ struct MeshScene {
   int elements_per_radius = 10;
   double fine_width = 1.0;            // in particle radii
   std::optional<int> graded_columns;  // left out: half of the fine ones
+  bool whole = false;                 // plane strain: both halves even where the scene is symmetric
   bool operator==(const MeshScene&) const = default;
 };
+
+enum class VolumetricLaw { log_quadratic, quadratic, logarithmic };  // U/K = (J^2-1-2 ln J)/4, (J-1)^2/2, (ln J)^2/2
+enum class HourglassForm { stiffness, viscosity };
+enum class ErodedNodes {
+  released,
+  in_contact
+};  // whether a node that has lost its last element still meets the particle
 
 // Numerical settings: the defaults are docs/theory/impact.md's setting S.
 struct SolverScene {
   double contact_stiffness = 0.6;  // kappa: k = kappa m/dt_ref^2
-  double hourglass = 0.5;          // elastic hourglass stiffness in units of mu_true
+  double hourglass = 0.5;          // stiffness in units of mu_true; viscosity: share of the wave impedance
+  HourglassForm hourglass_form = HourglassForm::stiffness;
+  VolumetricLaw volumetric_law = VolumetricLaw::log_quadratic;
+  ErodedNodes eroded_nodes = ErodedNodes::released;
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
-  double time_step_factor = 0.8;  // share of the stable step
+  double time_step_factor = 0.9;  // share of the stable step
+  int rates = 2;  // time steps of different length: 1, or 2 (elements near the particle at half the step)
+  bool stiffen_supersonic = false;  // K raised to a Mach number of 0.3 where the scene's own gives 1 or more
   Arithmetic arithmetic = Arithmetic::single_precision;
   std::optional<double> end_time;  // s; left out: 1000 radii at impact speed
   bool operator==(const SolverScene&) const = default;
@@ -89,8 +165,10 @@ struct OutputScene {
 
 struct Scene {
   std::string source;  // file it was read from, for messages
-  SphereScene particle;
+  Geometry geometry = Geometry::axisymmetric;
+  ParticleScene particle;
   LayerScene target;
+  std::vector<LowerLayerScene> below;
   MeshScene mesh;
   SolverScene solver;
   OutputScene output;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "percal/math/polygon.hpp"
+#include "percal/scene/read_scene.hpp"
 #include "percal/scene/scene_toml.hpp"
 
 namespace percal {
@@ -35,11 +37,21 @@ class Lines {
     }
   }
   void table(const char* name) { lines_ += fmt::format("{}[{}]\n", lines_.empty() ? "" : "\n", name); }
+  void element(const char* name) { lines_ += fmt::format("\n[[{}]]\n", name); }
   void word(const char* key, std::string_view value) { lines_ += fmt::format("{} = {}\n", key, text(value)); }
   void quantity(const char* key, double si_value, const char* unit) {
     lines_ += fmt::format("{} = \"{} {}\"\n", key, si_value, unit);
   }
   void number(const char* key, double value) { lines_ += fmt::format("{} = {}\n", key, value); }
+  template <class Choice>
+  void choice(const char* key, const std::vector<std::string>& words, Choice chosen) {
+    word(key, words.at(static_cast<std::size_t>(chosen)));
+  }
+  void pairs(const char* key, const Polygon& points, const char* unit) {
+    std::vector<std::string> written;
+    for (const auto& [x, y] : points) written.push_back(fmt::format("[\"{0} {2}\", \"{1} {2}\"]", x, y, unit));
+    lines_ += fmt::format("{} = [{}]\n", key, fmt::join(written, ", "));
+  }
   void integer(const char* key, int value) { lines_ += fmt::format("{} = {}\n", key, value); }
   void flag(const char* key, bool value) { lines_ += fmt::format("{} = {}\n", key, value); }
   const std::string& all() const { return lines_; }
@@ -48,15 +60,58 @@ class Lines {
   std::string lines_;
 };
 
-void write_particle(Lines& lines, const SphereScene& particle) {
-  lines.table("particle");
-  lines.word("shape", "sphere");
+void write_profile(Lines& lines, const ParticleScene& particle, const ProfileShape& profile, Geometry geometry) {
+  lines.word("shape", "profile");
   lines.word("name", particle.name);
-  lines.quantity("radius", particle.radius, "m");
-  lines.quantity("density", particle.density, "kg/m3");
+  lines.pairs("vertices", profile.vertices, "m");
+  lines.quantity("orientation", profile.orientation, "rad");
+  lines.word("rotation", profile.free_rotation ? "free" : "fixed");
+  if (!profile.mass) {
+    lines.quantity("density", particle.density, "kg/m3");
+    return;
+  }
+  lines.quantity("mass", *profile.mass, "kg");
+  if (geometry == Geometry::plane_strain) lines.quantity("thickness", 1, "m");
+}
+
+void write_particle(Lines& lines, const ParticleScene& particle, Geometry geometry) {
+  lines.table("particle");
+  if (const auto* profile = std::get_if<ProfileShape>(&particle.shape)) {
+    write_profile(lines, particle, *profile, geometry);
+  } else {
+    lines.word("shape", geometry == Geometry::plane_strain ? "cylinder" : "sphere");
+    lines.word("name", particle.name);
+    lines.quantity("radius", particle.radius, "m");
+    lines.quantity("density", particle.density, "kg/m3");
+  }
   lines.quantity("speed", particle.speed, "m/s");
   if (particle.youngs_modulus) lines.quantity("youngs_modulus", *particle.youngs_modulus, "Pa");
+  lines.number("poisson_ratio", particle.poisson_ratio);
+  lines.choice("elasticity", elasticity_words(), particle.elasticity);
 }
+
+void write_volumetric(Lines& lines, const VolumetricChoice& volumetric) {
+  if (const auto* poisson = std::get_if<PoissonRatio>(&volumetric)) lines.number("nu", poisson->nu);
+  if (const auto* bulk = std::get_if<BulkToShear>(&volumetric)) lines.number("bulk_to_shear", bulk->ratio);
+}
+
+// One line of an erosion table, in the unit that the criterion has.
+struct WriteLimit {
+  Lines& lines;
+  double limit;
+  void operator()(const NoErosion&) const {}
+  void operator()(const StrainErosion&) const { lines.number("strain", limit); }
+  void operator()(const StressErosion&) const { lines.quantity("stress", limit, "Pa"); }
+  void operator()(const EnergyErosion&) const { lines.quantity("energy", limit, "J/m3"); }
+};
+
+struct LimitOf {
+  double operator()(const NoErosion&) const { return 0; }
+  template <class Criterion>
+  double operator()(const Criterion& criterion) const {
+    return criterion.limit;
+  }
+};
 
 void write_target(Lines& lines, const LayerScene& target) {
   lines.table("target");
@@ -65,15 +120,36 @@ void write_target(Lines& lines, const LayerScene& target) {
   lines.quantity("mu", target.mu_as_given, "Pa");
   lines.word("convention", word(target.convention));
   lines.number("alpha", target.alpha);
-  if (const auto* poisson = std::get_if<PoissonRatio>(&target.volumetric)) lines.number("nu", poisson->nu);
-  if (const auto* bulk = std::get_if<BulkToShear>(&target.volumetric)) lines.number("bulk_to_shear", bulk->ratio);
+  write_volumetric(lines, target.volumetric);
   lines.quantity("depth", target.depth, "m");
   lines.quantity("width", target.width, "m");
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
-  if (const auto* erosion = std::get_if<StrainErosion>(&target.erosion)) {
+  if (!std::holds_alternative<NoErosion>(target.erosion)) {
     lines.table("target.erosion");
-    lines.number("strain", erosion->limit);
-    lines.word("measure", word(erosion->measure));
+    std::visit(WriteLimit{lines, std::visit(LimitOf{}, target.erosion)}, target.erosion);
+    if (const auto* strain = std::get_if<StrainErosion>(&target.erosion)) lines.word("measure", word(strain->measure));
+  }
+  if (const auto* series = std::get_if<PronySeries>(&target.relaxation)) {
+    for (const PronyTerm& term : series->terms) {
+      lines.element("target.relaxation");
+      lines.number("share", term.share);
+      lines.quantity("time", term.time, "s");
+    }
+  }
+}
+
+void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const Erosion& erosion) {
+  for (const LowerLayerScene& layer : below) {
+    lines.element("below");
+    lines.word("name", layer.name);
+    lines.quantity("density", layer.density, "kg/m3");
+    lines.quantity("mu", layer.mu_as_given, "Pa");
+    lines.number("alpha", layer.alpha);
+    write_volumetric(lines, layer.volumetric);
+    lines.quantity("depth", layer.depth, "m");
+    if (!layer.erosion_limit) continue;
+    lines.table("below.erosion");
+    std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);
   }
 }
 
@@ -82,15 +158,21 @@ void write_mesh(Lines& lines, const MeshScene& mesh) {
   lines.integer("elements_per_radius", mesh.elements_per_radius);
   lines.number("fine_width", mesh.fine_width);
   if (mesh.graded_columns) lines.integer("graded_columns", *mesh.graded_columns);
+  lines.flag("whole", mesh.whole);
 }
 
 void write_solver(Lines& lines, const SolverScene& solver) {
   lines.table("solver");
   lines.number("contact_stiffness", solver.contact_stiffness);
   lines.number("hourglass", solver.hourglass);
+  lines.choice("hourglass_form", hourglass_words(), solver.hourglass_form);
+  lines.choice("volumetric_law", volumetric_words(), solver.volumetric_law);
+  lines.choice("eroded_nodes", eroded_node_words(), solver.eroded_nodes);
   lines.number("linear_viscosity", solver.linear_viscosity);
   lines.number("quadratic_viscosity", solver.quadratic_viscosity);
   lines.number("time_step_factor", solver.time_step_factor);
+  lines.integer("rates", solver.rates);
+  lines.flag("stiffen_supersonic", solver.stiffen_supersonic);
   lines.word("arithmetic", solver.arithmetic == Arithmetic::single_precision ? "single" : "double");
   if (solver.end_time) lines.quantity("end_time", *solver.end_time, "s");
 }
@@ -100,9 +182,11 @@ void write_solver(Lines& lines, const SolverScene& solver) {
 std::string scene_to_toml(const Scene& scene, const std::string& comment) {
   Lines lines;
   lines.comment(comment);
+  lines.choice("geometry", geometry_words(), scene.geometry);
   lines.integer("replicates", scene.replicates);
-  write_particle(lines, scene.particle);
+  write_particle(lines, scene.particle, scene.geometry);
   write_target(lines, scene.target);
+  write_below(lines, scene.below, scene.target.erosion);
   write_mesh(lines, scene.mesh);
   write_solver(lines, scene.solver);
   lines.table("output");

@@ -2,87 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
-
-#include "percal/units/words.hpp"
+#include "percal/scene/profile.hpp"
+#include "percal/scene/read_scene.hpp"
 
 namespace percal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double smallest_alpha = 1e-3;    // the solver divides by alpha
 constexpr double largest_time_step = 1.2;  // beyond it nothing is stable; docs/formats/scene.md
 constexpr int most_elements_per_radius = 1000;
 constexpr int most_graded_columns = 10000;
 constexpr int most_replicates = 1000;
 
-SphereScene read_particle(const TomlTable& table) {
-  SphereScene particle;
-  if (const auto shape = table.optional_text("shape"); shape && *shape != "sphere") {
-    table.refuse("shape", in_quotes(*shape), "\"sphere\", the only shape there is so far");
-  }
-  particle.name = table.text("name", particle.name);
-  particle.radius = table.quantity("radius", dimension::length, positive("length"));
-  particle.density = table.quantity("density", dimension::density, positive("density"));
-  particle.speed = table.quantity("speed", dimension::speed, positive("speed"));
-  particle.youngs_modulus = table.optional_quantity("youngs_modulus", dimension::pressure, positive("pressure"));
-  return particle;
+template <class Choice>
+Choice choice(const TomlTable& table, const char* key, const std::vector<std::string>& words, Choice fallback) {
+  return static_cast<Choice>(table.word(key, words, static_cast<int>(fallback)));
 }
 
-Erosion read_erosion(const TomlTable& target) {
-  const auto table = target.optional_table("erosion");
-  if (!table) return NoErosion{};
-  StrainErosion erosion;
-  erosion.limit = table->number("strain", positive("strain"));
-  erosion.measure = static_cast<StrainMeasure>(table->word(
-      "measure",
-      {word(StrainMeasure::engineering), word(StrainMeasure::true_strain), word(StrainMeasure::green_lagrange)}, 0));
-  return erosion;
-}
-
-void read_ogden(const TomlTable& table, LayerScene& target) {
-  target.convention = static_cast<ModulusConvention>(
-      table.word("convention", {word(ModulusConvention::true_shear), word(ModulusConvention::mu_over_alpha)}, 0));
-  target.alpha = table.number("alpha", any_number());
-  if (std::abs(target.alpha) < smallest_alpha) {
-    table.refuse("alpha", fmt::format("{}", target.alpha),
-                 "a number from 0.001 up or from -0.001 down; alpha = 0 is not solved so far");
-  }
-  target.mu_as_given = table.quantity("mu", dimension::pressure, any_number());
-  const double mu = true_modulus(target.mu_as_given, target.alpha, target.convention);
-  if (mu > 0 && std::isfinite(mu)) return;
-  const std::string found = fmt::format("{} Pa", target.mu_as_given);
-  if (target.convention == ModulusConvention::true_shear) table.refuse("mu", found, "a positive pressure");
-  table.refuse("mu", fmt::format("{}, which makes the true shear modulus mu alpha/2 = {} Pa", found, mu),
-               fmt::format("a {} pressure where convention = \"mu/alpha\" and alpha = {}",
-                           target.alpha > 0 ? "positive" : "negative", target.alpha));
-}
-
-Range larger_than_radius(const SphereScene& particle) {
-  return {.low = particle.radius,
-          .high = infinity,
-          .low_open = true,
-          .words = "a length above the particle's radius of " + format_quantity(particle.radius, dimension::length)};
-}
-
-LayerScene read_target(const TomlTable& table, const SphereScene& particle) {
-  LayerScene target;
-  target.name = table.text("name", target.name);
-  target.density = table.quantity("density", dimension::density, positive("density"));
-  read_ogden(table, target);
-  target.volumetric = volumetric_from(table);
-  target.depth = table.quantity("depth", dimension::length, larger_than_radius(particle));
-  target.width = table.quantity("width", dimension::length, larger_than_radius(particle));
-  target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
-  target.erosion = read_erosion(table);
-  return target;
-}
-
-MeshScene read_mesh(const TomlTable& table, double width_in_radii) {
+MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
   MeshScene mesh;
   mesh.elements_per_radius =
       table.integer("elements_per_radius", 1, most_elements_per_radius, mesh.elements_per_radius);
+  const double width_in_radii = scene.target.width / scene.particle.radius;
   constexpr double rounding = 1 + 1e-12;  // of width/radius
   const Range within_target{
       .low = 0,
@@ -91,22 +31,47 @@ MeshScene read_mesh(const TomlTable& table, double width_in_radii) {
       .words = fmt::format("a number of radii above 0 and up to the target's width, {:.4g}", width_in_radii)};
   mesh.fine_width = table.number("fine_width", within_target, mesh.fine_width);
   mesh.graded_columns = table.optional_integer("graded_columns", 1, most_graded_columns);
+  mesh.whole = table.flag("whole", mesh.whole);
+  if (mesh.whole && scene.geometry == Geometry::axisymmetric)
+    table.refuse("whole", "true in an axisymmetric scene", "false; geometry = \"plane strain\" has two halves");
+  if (table.has("whole") && !mesh.whole && needs_both_halves(scene.particle))
+    table.refuse("whole", "false for a particle that may turn or is not its own mirror image in a vertical line",
+                 "true, or nothing; rotation = \"fixed\" and a symmetric profile for a half model");
   return mesh;
+}
+
+// The first layer may be thinner than the particle; all of them may not.
+std::vector<LowerLayerScene> read_below(const TomlTable& root, const TomlTable& target_table, const Scene& scene) {
+  auto below = below_from(root.tables("below"), scene.target);
+  double depth = scene.target.depth;
+  for (const auto& layer : below) depth += layer.depth;
+  if (!(depth > scene.particle.radius))
+    target_table.refuse("depth", format_quantity(depth, dimension::length) + " with the layers below",
+                        length_above(scene.particle.radius, "radius").words + ", all layers together");
+  return below;
 }
 
 }  // namespace
 
-VolumetricChoice volumetric_from(const TomlTable& table) {
-  const auto nu = table.optional_number("nu", {.low = -1,
-                                               .high = 0.5,
-                                               .low_open = true,
-                                               .high_open = true,
-                                               .words = "a number between -1 and 0.5, both excluded"});
-  const auto ratio = table.optional_number("bulk_to_shear", positive("number (K/mu)"));
-  if (nu && ratio) table.refuse("bulk_to_shear", "this beside nu", "one of the two, or neither (K is then chosen)");
-  if (nu) return PoissonRatio{*nu};
-  if (ratio) return BulkToShear{*ratio};
-  return ChooseBulk{};
+const std::vector<std::string>& geometry_words() {
+  static const std::vector<std::string> words{"axisymmetric", "plane strain"};
+  return words;
+}
+const std::vector<std::string>& elasticity_words() {
+  static const std::vector<std::string> words{"automatic", "rigid", "elastic"};
+  return words;
+}
+const std::vector<std::string>& hourglass_words() {
+  static const std::vector<std::string> words{"stiffness", "viscosity"};
+  return words;
+}
+const std::vector<std::string>& volumetric_words() {
+  static const std::vector<std::string> words{"log-quadratic", "quadratic", "logarithmic"};
+  return words;
+}
+const std::vector<std::string>& eroded_node_words() {
+  static const std::vector<std::string> words{"released", "in contact"};
+  return words;
 }
 
 SolverScene solver_from(const TomlTable& table) {
@@ -114,12 +79,16 @@ SolverScene solver_from(const TomlTable& table) {
   const auto share = [&table](const char* key, double fallback) { return table.number(key, not_negative(), fallback); };
   solver.contact_stiffness = table.number("contact_stiffness", positive(), solver.contact_stiffness);
   solver.hourglass = share("hourglass", solver.hourglass);
+  solver.hourglass_form = choice(table, "hourglass_form", hourglass_words(), solver.hourglass_form);
+  solver.volumetric_law = choice(table, "volumetric_law", volumetric_words(), solver.volumetric_law);
+  solver.eroded_nodes = choice(table, "eroded_nodes", eroded_node_words(), solver.eroded_nodes);
   solver.linear_viscosity = share("linear_viscosity", solver.linear_viscosity);
   solver.quadratic_viscosity = share("quadratic_viscosity", solver.quadratic_viscosity);
   const Range stable{.low = 0, .high = largest_time_step, .low_open = true, .words = "a number above 0 and up to 1.2"};
   solver.time_step_factor = table.number("time_step_factor", stable, solver.time_step_factor);
-  solver.arithmetic =
-      static_cast<Arithmetic>(table.word("arithmetic", {"single", "double"}, static_cast<int>(solver.arithmetic)));
+  solver.rates = table.integer("rates", 1, 2, solver.rates);
+  solver.stiffen_supersonic = table.flag("stiffen_supersonic", solver.stiffen_supersonic);
+  solver.arithmetic = choice(table, "arithmetic", {"single", "double"}, solver.arithmetic);
   solver.end_time = table.optional_quantity("end_time", dimension::time, positive("time"));
   return solver;
 }
@@ -127,10 +96,15 @@ SolverScene solver_from(const TomlTable& table) {
 Scene scene_from(const TomlTable& table) {
   Scene scene;
   scene.source = table.place("particle").file;
-  scene.particle = read_particle(table.table("particle"));
-  scene.target = read_target(table.table("target"), scene.particle);
-  const double width_in_radii = scene.target.width / scene.particle.radius;
-  if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, width_in_radii);
+  scene.geometry = choice(table, "geometry", geometry_words(), scene.geometry);
+  scene.particle = particle_from(table.table("particle"), scene.geometry);
+  const TomlTable target = table.table("target");
+  const bool layered = !table.tables("below").empty();
+  scene.target = target_from(target, scene.particle, scene.geometry,
+                             layered ? positive("length") : length_above(scene.particle.radius, "radius"));
+  scene.below = read_below(table, target, scene);
+  if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, scene);
+  if (scene.geometry == Geometry::plane_strain && needs_both_halves(scene.particle)) scene.mesh.whole = true;
   if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver);
   if (const auto output = table.optional_table("output"))
     scene.output.history = output->flag("history", scene.output.history);

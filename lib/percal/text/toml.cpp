@@ -218,6 +218,17 @@ std::vector<double> TomlTable::quantities(const std::string& key, const Dimensio
                          });
 }
 
+std::vector<std::array<double, 2>> TomlTable::quantity_pairs(const std::string& key, const Dimension& dimension,
+                                                             const Range& range) const {
+  const std::string accepted = "an array of pairs, each number " + words_of(range, dimension);
+  return node_->elements(key, accepted, [&](const std::string& name, const toml::node& at) {
+    const auto* pair = at.as_array();
+    if (!pair || pair->size() != 2) node_->refuse(name, at, accepted);
+    return std::array{node_->checked_quantity(name + "[1]", *pair->get(0), dimension, range),
+                      node_->checked_quantity(name + "[2]", *pair->get(1), dimension, range)};
+  });
+}
+
 std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) const {
   const auto* at = node_->ask(key);
   return at ? std::optional(node_->checked_number(key, *at, range)) : std::nullopt;
@@ -301,6 +312,11 @@ int TomlTable::word(const std::string& key, const std::vector<std::string>& acce
 }
 
 bool TomlTable::has(const std::string& key) const { return node_->table->contains(key); }
+
+bool TomlTable::is_array(const std::string& key) const {
+  const auto* at = node_->table->get(key);
+  return at && at->is_array();
+}
 
 std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const {
   const auto* at = node_->ask(key);

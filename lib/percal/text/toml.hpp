@@ -1,6 +1,7 @@
 // Reading a TOML file key by key: every key read is checked for kind, unit and range, and a key that nobody read is an
 // error. Messages name file, line, key, what was found and what is accepted.
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -28,6 +29,8 @@ class TomlTable {
   double quantity(const std::string& key, const Dimension&, const Range&, double fallback) const;
   std::optional<double> optional_quantity(const std::string& key, const Dimension&, const Range&) const;
   std::vector<double> quantities(const std::string& key, const Dimension&, const Range&) const;  // an array, not empty
+  // An array of pairs, not empty: [["0 mm", "1 mm"], ...].
+  std::vector<std::array<double, 2>> quantity_pairs(const std::string& key, const Dimension&, const Range&) const;
 
   double number(const std::string& key, const Range&) const;
   double number(const std::string& key, const Range&, double fallback) const;
@@ -46,6 +49,7 @@ class TomlTable {
   int word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const;
 
   bool has(const std::string& key) const;         // marks nothing as known
+  bool is_array(const std::string& key) const;    // likewise; false where the key is missing
   TomlTable table(const std::string& key) const;  // must be there
   std::optional<TomlTable> optional_table(const std::string& key) const;
   std::vector<TomlTable> tables(const std::string& key) const;  // array of tables; empty where missing

@@ -1,0 +1,116 @@
+#include "percal/impact/constants.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "percal/impact/settings.hpp"
+
+namespace percal {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double undeformed_step(const GradedMesh& mesh, double mu, double bulk) {
+  double width = mesh.radius[1] - mesh.radius[0];
+  for (int i = 1; i < mesh.columns(); ++i) width = std::min(width, mesh.radius[i + 1] - mesh.radius[i]);
+  const double height = mesh.row_height;
+  return 1 / std::sqrt((bulk + 4.0 / 3 * mu) * (1 / (width * width) + 1 / (height * height)));
+}
+
+bool is_supersonic(const Problem& p) { return mach_number(p) * p.speed_factor >= 1; }
+
+struct Layer {
+  double mu, bulk, alpha, density;
+  double erosion_limit;  // as the scene means it
+  double wave_speed() const { return std::sqrt((bulk + 4.0 / 3 * mu) / density); }
+};
+
+struct LimitOf {
+  double operator()(const NoErosion&) const { return infinite; }
+  template <class Kind>
+  double operator()(const Kind& erosion) const {
+    return erosion.limit;
+  }
+};
+
+std::vector<Layer> layers_of(const Problem& p) {
+  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion)}};
+  const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
+  for (const LowerLayer& below : p.below)
+    layers.push_back(
+        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite});
+  return layers;
+}
+
+// Per density. Where even that wave is slower than the particle, nodes would pass through its springs: then the particle's speed
+// counts.
+double contact_modulus(const Problem& p, const Layer& layer) {
+  return std::max((reference_bulk_ratio + 4.0 / 3) * layer.mu / layer.density, p.speed_factor * p.speed_factor);
+}
+
+}  // namespace
+
+GradedMesh mesh_of(const Problem& p) {
+  const GradedMesh right =
+      graded_mesh({p.elements_per_radius, p.fine_width, p.graded_columns, p.width, p.whole_depth()});
+  return p.whole ? mirrored(right) : right;
+}
+
+MaterialConstants constants(const Problem& p) { return constants_of_layers(p).front(); }
+
+std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
+  const bool shock = is_supersonic(p);
+  const double linear = shock ? std::max(p.linear_viscosity, supersonic_linear) : p.linear_viscosity;
+  const double quadratic = shock ? std::max(p.quadratic_viscosity, supersonic_quadratic) : p.quadratic_viscosity;
+  const GradedMesh mesh = mesh_of(p);
+  std::vector<MaterialConstants> layers;
+  for (const Layer& layer : layers_of(p)) {
+    MaterialConstants c{.mu = layer.mu,
+                        .bulk = layer.bulk,
+                        .alpha = layer.alpha,
+                        .hourglass = p.hourglass,
+                        .linear_viscosity = linear * layer.density * layer.wave_speed(),
+                        .quadratic_viscosity = quadratic * quadratic * layer.density,
+                        .erosion_stretch = infinite,
+                        .smallest_jacobian = inverted_jacobian,
+                        .largest_inverse_step = infinite,
+                        .density = layer.density,
+                        .erosion_limit = infinite};
+    if (const auto* strain = std::get_if<StrainErosion>(&p.erosion))
+      c.erosion_stretch = stretch_at(layer.erosion_limit, strain->measure);
+    else
+      c.erosion_limit = layer.erosion_limit;
+    if (layer.erosion_limit < infinite) {
+      c.smallest_jacobian = distorted_jacobian;
+      c.largest_inverse_step =
+          1 / (distorted_step * undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
+    }
+    layers.push_back(c);
+  }
+  return layers;
+}
+
+std::vector<double> contact_stiffness_ratios(const Problem& p) {
+  const std::vector<Layer> layers = layers_of(p);
+  std::vector<double> ratios;
+  for (const Layer& layer : layers) ratios.push_back(contact_modulus(p, layer) / contact_modulus(p, layers.front()));
+  return ratios;
+}
+
+StepLimits step_limits(const Problem& p) {
+  const GradedMesh mesh = mesh_of(p);
+  const std::vector<Layer> layers = layers_of(p);
+  const double reference = undeformed_step(mesh, 0, contact_modulus(p, layers.front()));
+  const double contact = p.contact_stiffness / (reference * reference);
+  double first_step = infinite, largest_ratio = 1;
+  for (const Layer& layer : layers)
+    first_step = std::min(first_step, undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
+  for (const double ratio : contact_stiffness_ratios(p)) largest_ratio = std::max(largest_ratio, ratio);
+  return {.first_step = first_step,
+          .time_step_factor = is_supersonic(p) ? std::min(p.time_step_factor, supersonic_step) : p.time_step_factor,
+          .contact_stiffness_per_mass = contact,
+          .largest_contact_stiffness_per_mass = largest_ratio * contact};
+}
+
+}  // namespace percal

@@ -1,0 +1,32 @@
+// A few threads that do the same thing on different columns, again and again, within one run.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace percal {
+
+class Team {
+ public:
+  // workers >= 1; the calling thread is one of them.
+  explicit Team(int workers);
+  ~Team();
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  int workers() const { return static_cast<int>(threads_.size()) + 1; }
+
+  // work(0) ... work(workers - 1), each on its own thread; returns when all are done. work must not throw.
+  void each(const std::function<void(int)>& work);
+
+ private:
+  void serve(int worker);
+  std::atomic<long> call_{0};
+  std::atomic<int> busy_{0};
+  std::atomic<bool> over_{false};
+  const std::function<void(int)>* work_ = nullptr;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace percal

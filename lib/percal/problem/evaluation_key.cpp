@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include "percal/base/version.hpp"
+#include "percal/problem/problem.hpp"
+
+namespace percal {
+namespace {
+
+// Each part of the text begins with a word of its own, and lists are in brackets, so that no two problems share a text.
+// Choices are left out where they are what they are in the plainest problem.
+
+struct ParticleText {
+  std::string operator()(const RigidSphere&) const { return "sphere"; }
+  std::string operator()(const ElasticSphere& sphere) const {
+    return fmt::format("elastic-sphere={:.12g},{:.12g}", sphere.youngs_modulus, sphere.poisson_ratio);
+  }
+  std::string operator()(const RigidProfile& profile) const {
+    std::string vertices;
+    for (const auto& [x, y] : profile.vertices) vertices += fmt::format("({:.12g},{:.12g})", x, y);
+    return fmt::format("profile=[{}] mass={:.12g} inertia={:.12g} rotation={}", vertices, profile.mass, profile.inertia,
+                       profile.free_rotation ? "free" : "fixed");
+  }
+};
+
+struct ErosionText {
+  std::string operator()(const NoErosion&) const { return "none"; }
+  std::string operator()(const StrainErosion& erosion) const {
+    return fmt::format("{}:{:.12g}", word(erosion.measure), erosion.limit);
+  }
+  std::string operator()(const StressErosion& erosion) const { return fmt::format("stress:{:.12g}", erosion.limit); }
+  std::string operator()(const EnergyErosion& erosion) const { return fmt::format("energy:{:.12g}", erosion.limit); }
+};
+
+std::string below_text(const std::vector<LowerLayer>& below) {
+  if (below.empty()) return "";
+  std::string layers;
+  for (const LowerLayer& layer : below)
+    layers += fmt::format("({:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g})", layer.depth, layer.density, layer.mu,
+                          layer.alpha, layer.bulk_ratio, layer.erosion_limit);
+  return " below=[" + layers + "]";
+}
+
+std::string relaxation_text(const Relaxation& relaxation) {
+  const auto* series = std::get_if<PronySeries>(&relaxation);
+  if (!series) return "";
+  std::string terms;
+  for (const PronyTerm& term : series->terms) terms += fmt::format("({:.12g},{:.12g})", term.share, term.time);
+  return " relaxation=[" + terms + "]";
+}
+
+std::string choices_text(const Problem& p) {
+  std::string text;
+  if (p.geometry == Geometry::plane_strain) text += " plane-strain";
+  if (p.whole) text += " whole";
+  if (p.hourglass_form == HourglassForm::viscosity) text += " hourglass-viscosity";
+  if (p.volumetric_law == VolumetricLaw::quadratic) text += " volumetric=quadratic";
+  if (p.volumetric_law == VolumetricLaw::logarithmic) text += " volumetric=logarithmic";
+  if (p.eroded_nodes == ErodedNodes::in_contact) text += " eroded-nodes-in-contact";
+  if (p.rates != 2) text += fmt::format(" rates={}", p.rates);
+  return text;
+}
+
+}  // namespace
+
+std::string evaluation_key(const Problem& p, const std::string& instruction_level) {
+  return fmt::format(
+             "{} solver={} level={} arithmetic={} pi4={:.12g} density_ratio={:.12g} alpha={:.12g} bulk_ratio={:.12g} "
+             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={},{:.12g},{} contact={:.12g} hourglass={:.12g} "
+             "viscosity={:.12g},{:.12g} step={:.12g} end={:.12g} speed={:.12g}",
+             std::visit(ParticleText{}, p.particle), solver_version, instruction_level,
+             p.arithmetic == Arithmetic::single_precision ? "single" : "double", p.pi4, p.density_ratio, p.alpha,
+             p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
+             std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns,
+             p.contact_stiffness, p.hourglass, p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor,
+             p.end_time, p.speed_factor) +
+         choices_text(p) + below_text(p.below) + relaxation_text(p.relaxation);
+}
+
+}  // namespace percal

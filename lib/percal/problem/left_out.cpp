@@ -1,0 +1,49 @@
+#include "percal/problem/left_out.hpp"
+
+#include <fmt/core.h>
+
+#include "percal/problem/particle.hpp"
+
+namespace percal {
+namespace {
+
+std::string why_the_particle_is_rigid(const Scene& scene) {
+  const auto ratio = stress_over_particle_stiffness(scene);
+  if (!ratio) return "the scene gives no Young's modulus: the particle is rigid";
+  const auto figure = fmt::format("(rho_t v^2 + 10 mu)/E = {:.2g}", *ratio);
+  if (scene.particle.elasticity == Elasticity::rigid) return "the scene wants a rigid particle; " + figure;
+  if (*ratio < rigid_below) return figure + fmt::format(" is below {}: rigid", rigid_below);
+  return figure + "; only a sphere in an axisymmetric scene can be elastic";
+}
+
+struct WhyItDoesNotTurn {
+  std::string operator()(const RigidSphere&) const { return "contact without friction does not turn a round particle"; }
+  std::string operator()(const ElasticSphere&) const { return (*this)(RigidSphere{}); }
+  std::string operator()(const RigidProfile& profile) const {
+    return profile.free_rotation ? "" : "the scene holds the particle as it stands";
+  }
+};
+
+}  // namespace
+
+std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& problem) {
+  std::vector<LeftOut> list;
+  if (!std::holds_alternative<ElasticSphere>(problem.particle))
+    list.push_back({"elastic particle", why_the_particle_is_rigid(scene)});
+  if (const std::string why = std::visit(WhyItDoesNotTurn{}, problem.particle); !why.empty())
+    list.push_back({"rotation", why});
+  if (problem.geometry == Geometry::plane_strain && !problem.whole)
+    list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
+  if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
+  if (std::holds_alternative<NoHistory>(problem.history)) list.push_back({"history", "nobody asked for it"});
+  if (std::holds_alternative<NoRelaxation>(problem.relaxation))
+    list.push_back({"rate dependence", "the scene gives none"});
+  if (problem.below.empty()) list.push_back({"further layers", "the scene has one"});
+  list.push_back({"rows at rest", "rows that the wave has not reached are not advanced"});
+  list.push_back({"contact away from the particle", "only nodes within reach of the particle are searched"});
+  if (problem.arithmetic == Arithmetic::single_precision)
+    list.push_back({"double precision", "its depths differ by less than the scatter of replicates"});
+  return list;
+}
+
+}  // namespace percal

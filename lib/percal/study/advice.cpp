@@ -1,0 +1,105 @@
+#include "percal/study/advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "percal/math/statistics.hpp"
+
+namespace percal {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// Replicates whose mean has the error `target` on a mesh with the error `discretisation`; 0 where there is no such number.
+int replicates_for(double target, double discretisation, double noise) {
+  const double left = target * target - discretisation * discretisation;
+  if (!(left > 0)) return 0;
+  const double runs = std::max(1.0, std::ceil(noise * noise / left * (1 - 1e-12)));
+  return runs <= most_advised_replicates ? static_cast<int>(runs) : 0;
+}
+
+struct Candidate {
+  int elements_per_radius = 0, replicates = 0;
+  double discretisation = 0;
+  double cpu_seconds = unbounded;
+  bool is_extrapolated = false;
+  bool is_found() const { return replicates > 0; }
+};
+
+void keep_cheaper(Candidate& best, int mesh, double discretisation, double run_seconds, const LadderModel& model,
+                  double target) {
+  const int replicates = replicates_for(target, discretisation, model.noise);
+  if (replicates > 0 && replicates * run_seconds < best.cpu_seconds)
+    best = {mesh, replicates, discretisation, replicates * run_seconds, best.is_extrapolated};
+}
+
+Candidate cheapest(std::span<const Rung> rungs, const LadderModel& model, const PowerLaw& cost, double target) {
+  Candidate best;
+  for (std::size_t i = 0; i < rungs.size(); ++i)
+    keep_cheaper(best, rungs[i].elements_per_radius, model.discretisation[i], rungs[i].cpu_seconds, model, target);
+  if (best.is_found()) return best;
+  best.is_extrapolated = true;
+  for (int mesh = rungs.back().elements_per_radius + 1; mesh <= finest_advised_mesh; ++mesh) {
+    const double fitted = model.fit.error_at(1.0 / mesh) / model.fit.limit;
+    keep_cheaper(best, mesh, std::hypot(fitted, model.irregularity), cost.at(mesh), model, target);
+  }
+  return best;
+}
+
+// Processor seconds of a run against elements per radius.
+PowerLaw cost_law(std::span<const Rung> rungs) {
+  std::vector<double> meshes, seconds;
+  for (const Rung& rung : rungs) {
+    meshes.push_back(rung.elements_per_radius);
+    seconds.push_back(std::max(rung.cpu_seconds, 1e-9));
+  }
+  return fit_power_law(meshes, seconds, Misfit::relative);
+}
+
+std::optional<double> bounded(double seconds) { return seconds < unbounded ? std::optional(seconds) : std::nullopt; }
+
+// The quantile of values that may be infinite: the next one of them, never one between.
+double value_at(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
+}
+
+}  // namespace
+
+Advice advise(const Ladder& ladder, const ErrorVsTime& study, double target) {
+  Advice advice;
+  advice.target = target;
+  if (!study.is_fitted()) {
+    advice.why_not = "the meshes of the ladder give no depth to extrapolate to";
+    return advice;
+  }
+  const auto rungs = std::span(ladder.meshes).subspan(study.first_used);
+  const PowerLaw cost = cost_law(rungs);
+  const Candidate best = cheapest(rungs, study.model, cost, target);
+  std::vector<double> others;
+  for (const auto& model : study.resampled) others.push_back(cheapest(rungs, model, cost, target).cpu_seconds);
+  advice.cpu_seconds_low = bounded(std::min(best.cpu_seconds, value_at(others, 0.025)));
+  advice.cpu_seconds_high = bounded(std::max(best.cpu_seconds, value_at(others, 0.975)));
+  if (!best.is_found()) {
+    advice.why_not = fmt::format(
+        "no mesh of the ladder reaches it, nor would one of up to {} elements per radius with up to {} replicates: the "
+        "depths scatter from mesh to mesh by {:.2g} % beyond their noise, and a run by {:.2g} %",
+        finest_advised_mesh, most_advised_replicates, 100 * study.model.irregularity, 100 * study.model.noise);
+    return advice;
+  }
+  advice.is_found = true;
+  advice.cost_is_estimated = best.is_extrapolated;
+  advice.elements_per_radius = best.elements_per_radius;
+  advice.replicates = best.replicates;
+  advice.discretisation_error = best.discretisation;
+  advice.noise_error = study.model.noise / std::sqrt(best.replicates);
+  advice.error = combined_error(best.discretisation, study.model.noise, best.replicates);
+  advice.cpu_seconds = best.cpu_seconds;
+  return advice;
+}
+
+}  // namespace percal

@@ -1,0 +1,68 @@
+// What a ladder of meshes says: the depth that it converges to, the error of every mesh, the noise of a run. Formulas:
+// docs/theory/errors.md.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/math/grid_convergence.hpp"
+#include "percal/study/ladder.hpp"
+
+namespace percal {
+
+inline constexpr std::array<int, 3> replicate_counts{1, 3, 10};  // whose means' errors are listed
+
+struct Interval {
+  double value = 0, low = 0, high = 0;  // low to high: 95 of 100 cases
+};
+
+// Errors are shares of the extrapolated depth.
+struct RungError {
+  Interval signed_error;              // of the mean that was found here
+  double fitted_depth = 0;            // m
+  std::optional<double> uncertainty;  // m, of grid_convergence(); not there for a mesh left out of the fit
+  double discretisation = 0;          // the largest of this mesh and all finer ones, noise taken off
+  std::array<Interval, 3> combined;   // with the noise of a mean of replicate_counts runs
+};
+
+// A change of a numerical setting: the share by which it changes the depth, with its standard error.
+struct Change {
+  int elements_per_radius = 0;
+  std::optional<double> share, standard_error;  // not there unless both stopped
+  double cost_ratio = 0;                        // processor time over that without the change
+  bool is_significant() const;                  // more than two standard errors
+};
+
+Change change(const Rung& from, const Rung& to);
+
+// One view of a ladder: the one found, or one that could have been found (its noise drawn anew).
+struct LadderModel {
+  GridFit fit;
+  std::vector<double> discretisation;  // of each used rung
+  double irregularity = 0;             // scatter of the meshes about the fit beyond the noise
+  double noise = 0;                    // spread of a run over the extrapolated depth
+};
+
+struct ErrorVsTime {
+  GridConvergence convergence;
+  std::size_t first_used = 0;    // the rungs of Ladder::meshes from here on stopped
+  std::size_t first_fitted = 0;  // and from here on were fitted: coarser ones do not follow the curve
+  Interval limit;                // m, the extrapolated depth
+  LadderModel model;
+  std::vector<LadderModel> resampled;
+  std::vector<RungError> errors;  // one for each used rung; empty where nothing could be fitted
+  std::vector<Change> half_step;  // one for each of Ladder::half_steps
+  Change double_precision;        // from single to double
+  std::vector<std::string> findings;
+
+  // Four meshes or more stopped, and the depth that they converge to is one.
+  bool is_fitted() const { return convergence.outcome == GridOutcome::fitted && convergence.fit.limit > 0; }
+};
+
+ErrorVsTime error_vs_time(const Ladder& ladder);
+
+// The root of the sum of squares: of the mesh's error, and of the noise of a mean of so many runs.
+double combined_error(double discretisation, double noise, int replicates);
+
+}  // namespace percal

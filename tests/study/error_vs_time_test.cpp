@@ -1,0 +1,210 @@
+// The analysis of ladders made by hand: depths with a known limit, order and noise.
+#include "percal/study/error_vs_time.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "percal/study/advice.hpp"
+#include "percal/study/error_plot.hpp"
+#include "percal/study/study_json.hpp"
+
+namespace percal {
+namespace {
+
+using testing::HasSubstr;
+
+Rung rung_at(int mesh, double depth, double spread, int replicates = 5) {
+  Rung rung;
+  rung.elements_per_radius = mesh;
+  rung.time_step_factor = 0.8;
+  rung.replicates = replicates;
+  rung.elements = 112L * mesh * mesh;
+  rung.steps = 800.0 * mesh;
+  rung.cpu_seconds = 1e-3 * mesh * mesh * mesh;
+  auto& p = rung.penetration;
+  p.outcome = Outcome::stopped;
+  p.outcomes.assign(replicates, Outcome::stopped);
+  p.depth = depth;
+  p.spread = spread;
+  p.standard_error = spread / std::sqrt(replicates);
+  return rung;
+}
+
+// 27 (1 + a h^p) on 5 to 28 elements per radius, a run scattering by `noise` of it; the means are exact.
+Ladder ladder_of(double a, double p, double noise) {
+  Ladder ladder;
+  ladder.options.time_step_factor = 0.8;
+  for (const int mesh : ladder.options.meshes) {
+    const double depth = 27 * (1 + a * std::pow(mesh, -p));
+    ladder.meshes.push_back(rung_at(mesh, depth, noise * depth));
+  }
+  ladder.half_steps = {ladder.meshes[1], ladder.meshes[3]};
+  for (Rung& half : ladder.half_steps) half.time_step_factor = 0.4;
+  ladder.double_precision = ladder.meshes[1];
+  ladder.double_precision.arithmetic = Arithmetic::double_precision;
+  return ladder;
+}
+
+void pass_through(Rung& rung) {
+  auto& p = rung.penetration;
+  p.outcome = Outcome::passed_through;
+  p.outcomes.assign(rung.replicates, Outcome::passed_through);
+  p.depth = p.spread = p.standard_error = std::nullopt;
+  p.at_least = 75;
+}
+
+TEST(ErrorVsTime, FindsTheLimitAndTheErrorOfEveryMesh) {
+  const Ladder ladder = ladder_of(1, 1, 1e-4);
+  const ErrorVsTime study = error_vs_time(ladder);
+  ASSERT_TRUE(study.is_fitted());
+  EXPECT_NEAR(study.limit.value, 27, 0.01);
+  EXPECT_NEAR(study.convergence.observed_order, 1, 1e-3);
+  EXPECT_NEAR(study.model.noise, 1e-4, 1e-12);
+  ASSERT_EQ(study.errors.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const RungError& error = study.errors[i];
+    const double exact = 1.0 / ladder.meshes[i].elements_per_radius;
+    EXPECT_NEAR(error.signed_error.value, exact, 1e-3);
+    EXPECT_NEAR(error.discretisation, exact, 1e-3);
+    EXPECT_LT(error.signed_error.low, exact);
+    EXPECT_GT(error.signed_error.high, exact);
+  }
+}
+
+TEST(ErrorVsTime, TheNoiseOfAMeanFallsWithTheRootOfItsRuns) {
+  const ErrorVsTime study = error_vs_time(ladder_of(0, 1, 0.02));
+  for (const RungError& error : study.errors)
+    for (std::size_t c = 0; c < replicate_counts.size(); ++c)
+      EXPECT_NEAR(error.combined[c].value, 0.02 / std::sqrt(replicate_counts[c]), 1e-9);
+}
+
+TEST(ErrorVsTime, ALuckyCrossingOfTheLimitIsNoSmallError) {
+  Ladder ladder = ladder_of(1, 1, 1e-4);
+  ladder.meshes[1].penetration.depth = 27;  // while the finer meshes are up to 10 % off
+  const ErrorVsTime study = error_vs_time(ladder);
+  EXPECT_GT(study.errors[1].discretisation, 0.08);
+  for (std::size_t i = 1; i < 6; ++i)
+    EXPECT_LE(study.errors[i].discretisation, study.errors[i - 1].discretisation) << "largest of this and finer meshes";
+}
+
+TEST(ErrorVsTime, CoarseMeshesOffTheCurveAreLeftOutOfTheFitAndSaidSo) {
+  Ladder ladder = ladder_of(-1, 1, 1e-3);
+  ladder.meshes[0].penetration.depth = 26;
+  ladder.meshes[1].penetration.depth = 28;  // the curve goes on from 24.3 to 26
+  const ErrorVsTime study = error_vs_time(ladder);
+  EXPECT_EQ(study.first_fitted, 2u);
+  EXPECT_NEAR(study.limit.value, 27, 0.1);
+  EXPECT_FALSE(study.errors[1].uncertainty.has_value());
+  EXPECT_TRUE(study.errors[2].uncertainty.has_value());
+  EXPECT_THAT(study.findings, testing::Contains(HasSubstr("the fit is over 10 elements per radius and more")));
+}
+
+TEST(ErrorVsTime, DepthsThatConvergeToNothingGiveNoError) {
+  Ladder ladder = ladder_of(1, 1, 1e-4);
+  for (Rung& rung : ladder.meshes) rung.penetration.depth = 10 * std::pow(rung.elements_per_radius, -0.5) - 0.5;
+  const ErrorVsTime study = error_vs_time(ladder);
+  EXPECT_FALSE(study.is_fitted());
+  EXPECT_TRUE(study.errors.empty());
+  EXPECT_THAT(study.findings, testing::Contains(HasSubstr("converge to none above zero")));
+}
+
+TEST(ErrorVsTime, WithoutFourMeshesThatStoppedThereIsAnAccountAndNoNumber) {
+  Ladder ladder = ladder_of(1, 1, 0.01);
+  pass_through(ladder.meshes[2]);  // 14, 20 and 28 remain
+  pass_through(ladder.half_steps[0]);
+  const ErrorVsTime study = error_vs_time(ladder);
+  EXPECT_FALSE(study.is_fitted());
+  EXPECT_TRUE(study.errors.empty());
+  EXPECT_FALSE(study.half_step[0].share.has_value());
+  EXPECT_THAT(study.findings,
+              testing::Contains(HasSubstr("10 elements per radius: passed through (5 runs): no depth")));
+  EXPECT_THAT(study.findings, testing::Contains(HasSubstr("an extrapolation needs 4")));
+  const Advice advice = advise(ladder, study, 0.02);
+  EXPECT_FALSE(advice.is_found);
+  EXPECT_THAT(advice.why_not, HasSubstr("no depth to extrapolate to"));
+  const auto json = error_vs_time_to_json(ladder, study, {advice});
+  EXPECT_EQ(json["convergence"], (nlohmann::json{{"outcome", "too few grids"}}));
+  EXPECT_TRUE(json["meshes"][2]["depth_m"].is_null());
+  EXPECT_FALSE(json["meshes"][5].contains("error"));
+  EXPECT_TRUE(json["advice"][0]["elements_per_radius"].is_null());
+}
+
+TEST(ErrorVsTime, MeshesCoarserThanOneThatDidNotStopAreNotUsed) {
+  Ladder ladder = ladder_of(1, 1, 1e-4);
+  pass_through(ladder.meshes[1]);
+  const ErrorVsTime study = error_vs_time(ladder);
+  EXPECT_EQ(study.first_used, 2u);
+  EXPECT_EQ(study.errors.size(), 4u);
+  EXPECT_NEAR(study.limit.value, 27, 0.01);
+}
+
+TEST(ErrorVsTime, AChangeIsSignificantBeyondTwoStandardErrors) {
+  Ladder ladder = ladder_of(0, 1, 0.01);
+  ladder.double_precision.penetration.depth = 27 * 1.01;  // the difference's standard error is 0.63 %
+  EXPECT_FALSE(error_vs_time(ladder).double_precision.is_significant());
+  ladder.double_precision.penetration.depth = 27 * 1.02;
+  const ErrorVsTime study = error_vs_time(ladder);
+  EXPECT_TRUE(study.double_precision.is_significant());
+  EXPECT_NEAR(*study.double_precision.standard_error, 0.01 * std::sqrt(2.0 / 5), 1e-9);
+  EXPECT_THAT(study.findings, testing::Contains(HasSubstr("double precision changes the depth by +2.0 %")));
+}
+
+TEST(Advice, IsTheCheapestSettingOfTheLadder) {
+  const Ladder ladder = ladder_of(0.2, 1, 0.02);  // mesh errors 4, 2.9, 2, 1.4, 1, 0.7 %
+  const Advice five = advise(ladder, error_vs_time(ladder), 0.05);
+  EXPECT_TRUE(five.is_found);
+  EXPECT_FALSE(five.cost_is_estimated);
+  EXPECT_EQ(five.elements_per_radius, 5);  // sqrt(0.05^2 - 0.04^2) = 0.03: one run will do
+  EXPECT_EQ(five.replicates, 1);
+  EXPECT_NEAR(five.cpu_seconds, 0.125, 1e-9);
+  const Advice two = advise(ladder, error_vs_time(ladder), 0.02);
+  // 14: 0.02^2 - 0.0143^2 = 0.014^2, three runs of 2.7 s; 20: two runs of 8 s; 10 has no room for noise.
+  EXPECT_EQ(two.elements_per_radius, 14);
+  EXPECT_EQ(two.replicates, 3);
+  EXPECT_LE(two.error, 0.02);
+  EXPECT_NEAR(two.error, std::hypot(two.discretisation_error, two.noise_error), 1e-12);
+  EXPECT_LE(*two.cpu_seconds_low, two.cpu_seconds);
+  EXPECT_GE(two.cpu_seconds_high.value_or(HUGE_VAL), two.cpu_seconds);
+}
+
+TEST(Advice, BeyondTheLadderIsMarkedAsAnEstimate) {
+  const Ladder ladder = ladder_of(0.5, 1, 1e-3);  // the finest is 1.8 % off
+  const Advice advice = advise(ladder, error_vs_time(ladder), 0.01);
+  ASSERT_TRUE(advice.is_found);
+  EXPECT_TRUE(advice.cost_is_estimated);
+  EXPECT_NEAR(advice.elements_per_radius, 51, 4);  // 0.5/n = 1 %
+  EXPECT_NEAR(advice.cpu_seconds / (1e-3 * std::pow(advice.elements_per_radius, 3)), advice.replicates, 0.05);
+  EXPECT_TRUE(advice_to_json(advice)["cost_estimated"]);
+}
+
+TEST(Advice, ThereIsNoneWhereDepthsScatterFromMeshToMesh) {
+  Ladder ladder = ladder_of(0, 1, 1e-3);
+  for (std::size_t i = 0; i < 6; ++i) ladder.meshes[i].penetration.depth = i % 2 ? 26.0 : 28.0;
+  const Advice advice = advise(ladder, error_vs_time(ladder), 0.01);
+  EXPECT_FALSE(advice.is_found);
+  EXPECT_THAT(advice.why_not, HasSubstr("scatter from mesh to mesh"));
+}
+
+TEST(ErrorCsv, HasALineForEveryRungAndAllOfTheSameLength) {
+  Ladder ladder = ladder_of(1, 1, 0.01);
+  pass_through(ladder.meshes[0]);
+  std::istringstream lines(error_vs_time_csv(ladder, error_vs_time(ladder)));
+  int rows = -1;
+  for (std::string line; std::getline(lines, line); ++rows) EXPECT_EQ(std::ranges::count(line, ','), 26) << line;
+  EXPECT_EQ(rows, 9);
+}
+
+TEST(ErrorPlot, QuotesATitleThatGnuplotWouldRun) {
+  const Ladder ladder = ladder_of(1, 1, 0.01);
+  const auto script = error_plot_script(ladder, error_vs_time(ladder), "it's\n!rm {/=40 x}");
+  EXPECT_THAT(script, HasSubstr("set title 'it''s!rm {/=40 x}' noenhanced"));
+  EXPECT_THAT(script, testing::Not(HasSubstr("nan")));
+  EXPECT_LT(script.size(), 20000u);
+}
+
+}  // namespace
+}  // namespace percal
