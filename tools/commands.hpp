@@ -43,10 +43,13 @@ struct IdentifyArguments {
   std::string job;
 };
 
-// What a scene's numerical settings are worth; `scene` may be empty for studies that bring their own.
+// One of the three kinds of study; `scene` is empty where it brings its own.
 struct StudyArguments {
   std::string scene;
   bool error_vs_time = false;
+  bool omissions = false;
+  bool extremes = false;
+  std::string markdown;     // page to write; empty: none
   std::vector<int> meshes;  // elements per radius; empty: the default ladder
   std::optional<int> replicates;
 };

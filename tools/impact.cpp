@@ -82,6 +82,7 @@ Json to_json(const Findings& f) {
                     {"smallest_jacobian", r.smallest_jacobian},
                     {"smallest_step_over_first", r.smallest_step},
                     {"largest_gap_over_element", r.largest_gap},
+                    {"turn_rad", r.turn},
                     {"energy_closure", r.energy.closure()},
                     {"cpu_s", f.runs[k].cpu_seconds},
                     {"reused", f.runs[k].reused}});
@@ -132,17 +133,6 @@ void print_energy(const EnergyLedger& e) {
   fmt::print("    {:<36}{:8.4f}\n", "sum", e.sum());
 }
 
-// What would have to change for a Mach number at which K no longer matters.
-void print_refusal(const Reduction& reduction) {
-  const double speed = reduction.scales.speed * recommended_mach / reduction.mach;
-  fmt::print(
-      "\n  Mach number {:.3g}: the impact is faster than the target's waves, and is not run. For a Mach number of {} "
-      "give bulk_to_shear = "
-      "{:.4g} or more (left out, K is chosen so), or a speed of {} or less.",
-      reduction.mach, recommended_mach, subsonic_bulk_ratio(reduction.problem.pi4),
-      format_quantity(speed, dimension::speed));
-}
-
 void print_accuracy(const AccuracyChoice& choice) {
   const auto& advice = choice.advice;
   fmt::print("\n  estimated error {:.2g} % (mesh {:.2g} %, noise {:.2g} %), from the scene's study{}",
@@ -175,7 +165,6 @@ void print(const Findings& f) {
     fmt::print(" (spread of {} runs {}, standard error {})", f.runs.size(), length(*p.spread),
                length(*p.standard_error));
   if (p.at_least) fmt::print(", deeper than the layer's {}", length(*p.at_least));
-  if (p.outcome == Outcome::supersonic) print_refusal(f.reduction);
   if (f.accuracy) print_accuracy(*f.accuracy);
   fmt::print("\n  mu {} as given ({}), {} true; K {} ({}), Mach {:.3g}\n",
              format_quantity(f.scene.target.mu_as_given, dimension::pressure), word(f.scene.target.convention),

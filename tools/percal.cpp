@@ -97,18 +97,32 @@ CLI::App* add_identify(CLI::App& app, IdentifyArguments& identify, Common& commo
 }
 
 CLI::App* add_study(CLI::App& app, StudyArguments& study, Common& common) {
-  auto* command = app.add_subcommand("study", "what a scene's numerical settings are worth: error against time");
-  command->add_option("scene", study.scene, "TOML scene");
+  auto* command = app.add_subcommand(
+      "study", "what a scene's settings are worth: error against time, omissions; and a matrix of extreme impacts");
+  auto* scene = command->add_option("scene", study.scene, "TOML scene");
   auto* which = command->add_option_group("what is studied");
-  which->add_flag(
+  auto* errors = which->add_flag(
       "--error-vs-time", study.error_vs_time,
       "depth on a ladder of meshes, the error of each, its cost, and the cheapest setting for 5, 2 and 1 %");
+  which->add_flag("--omissions", study.omissions,
+                  "what the scene leaves out, each switched back on: its worth in depth and in time");
+  auto* extremes = which->add_flag("--extremes", study.extremes,
+                                   "a fixed matrix of stiff and extreme impacts and how each ends; takes no scene");
   which->require_option(1);
-  command->add_option("--meshes", study.meshes, "elements per radius, four or more (default: 5,7,10,14,20,28)")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--replicates", study.replicates, "runs on each mesh (default: 5)")->check(CLI::Range(3, 1000));
-  command->footer("Example: percal study data/guha2009/gold.toml --error-vs-time --meshes 5,7,10,14 --replicates 3");
+  auto* meshes =
+      command->add_option("--meshes", study.meshes, "elements per radius, four or more (default: 5,7,10,14,20,28)")
+          ->delimiter(',')
+          ->check(CLI::Range(1, 1000))
+          ->needs(errors);
+  auto* replicates = command->add_option("--replicates", study.replicates, "runs of each setting (default: 5)")
+                         ->check(CLI::Range(3, 1000));
+  command->add_option("--markdown", study.markdown, "write tables and conclusions to this page; not of --error-vs-time")
+      ->excludes(errors);
+  extremes->excludes(scene)->excludes(meshes)->excludes(replicates);
+  command->footer(
+      "Examples: percal study data/guha2009/gold.toml --error-vs-time --meshes 5,7,10,14 --replicates 3\n"
+      "          percal study data/guha2009/gold.toml --omissions\n"
+      "          percal study --extremes --markdown extremes.md");
   add_common(*command, common, true);
   return command;
 }

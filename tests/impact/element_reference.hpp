@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "percal/impact/constants.hpp"
 #include "percal/impact/element.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/impact/state.hpp"
@@ -79,7 +80,8 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
     for (int j = 0; j < mesh.rows; ++j) {
       if (!(view.alive[block.at(i, j)] > 0)) continue;
       const auto& shape = block.shapes()[i];
-      const double w = shape.width, h = shape.height, R = shape.mean_radius, volume = R * w * h;
+      const double w = shape.width, h = shape.height, thickness = shape.thickness,
+                   quarter_per_radius = shape.per_radius / 4, volume = thickness * w * h;
       scalar::Gradient<double> F{1, 0, 0, 1, 1};
       double mode_r = 0, mode_z = 0;
       for (int a = 0; a < 4; ++a) {
@@ -89,7 +91,7 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
         F.rz += along_z[a] * ur / h;
         F.zr += along_r[a] * uz / w;
         F.zz += along_z[a] * uz / h;
-        F.hoop += ur / (4 * R);
+        F.hoop += ur * quarter_per_radius;
         mode_r += hourglass_mode[a] * ur;
         mode_z += hourglass_mode[a] * uz;
       }
@@ -102,16 +104,18 @@ NodalForces reference_forces(const Block<Real>& block, const MaterialConstants& 
       const double damping = length * (m.linear_viscosity + m.quadratic_viscosity * length * closing),
                    q = damping * closing;
       const auto P = scalar::first_piola(F, s, t, m.bulk / 2 * (J * J - 1) - q * J);
-      const double stiffness = m.hourglass * m.mu / 12 * (h / w + w / h) * R;
+      const double stiffness = m.hourglass * m.mu / 12 * (h / w + w / h) * thickness;
       for (int a = 0; a < 4; ++a) {
         const long n = block.at(i + corner_column[a], j + corner_row[a]);
         const double nr = along_r[a] / w, nz = along_z[a] / h;
-        forces.r[n] -= volume * (P.rr * nr + P.rz * nz + P.hoop / (4 * R)) + stiffness * hourglass_mode[a] * mode_r;
+        forces.r[n] -=
+            volume * (P.rr * nr + P.rz * nz + P.hoop * quarter_per_radius) + stiffness * hourglass_mode[a] * mode_r;
         forces.z[n] -= volume * (P.zr * nr + P.zz * nz) + stiffness * hourglass_mode[a] * mode_z;
       }
       forces.viscous_work += volume * 0.5 * (view.viscous_pressure[block.at(i, j)] + q) * (old - J);
-      const auto bound = scalar::step_bound(s, g, t, m.mu, m.bulk, 1 / (w * w), 1 / (h * h),
-                                            (shape.at_axis ? scalar::axis_hoop_share : 1) / (4 * R * R));
+      const auto bound =
+          scalar::step_bound(s, g, t, m.mu, m.bulk, 1 / (w * w), 1 / (h * h),
+                             (shape.at_axis ? scalar::axis_hoop_share : 1) * shape.per_radius * quarter_per_radius);
       const double drag = damping * J * bound.over_stretch;
       forces.largest_inverse_step =
           std::max(forces.largest_inverse_step, std::sqrt(bound.stiffness + drag * drag) + drag);
@@ -130,10 +134,6 @@ inline Problem small_problem(double alpha) {
   p.elements_per_radius = 3;
   p.graded_columns = 2;
   return p;
-}
-
-inline GradedMesh mesh_of(const Problem& p) {
-  return graded_mesh({p.elements_per_radius, p.fine_width, p.graded_columns, p.width, p.depth});
 }
 
 inline MaterialConstants constants_of(const Problem& p) {
@@ -164,15 +164,30 @@ void displace(const Block<Real>& block, double amount, unsigned seed) {
     }
 }
 
-// Runs the kernel over the whole block.
+// Where the kernel puts the forces of one column of elements, when the columns are taken from the first to the last.
+template <class Real>
+ColumnForces<Real> column_forces(const Block<Real>& block, int column) {
+  const auto& forces = block.far_forces();
+  const long inner = block.at(column, 0), outer = block.at(column + 1, 0);
+  return {forces.r + inner, forces.z + inner, forces.r + outer, forces.z + outer, column == 0};
+}
+
+// Runs the kernel over one column of elements; earlier columns must have been run.
+template <class Real>
+void column_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block, int column,
+                            const MaterialConstants& m, double previous_step, ColumnReport& report) {
+  const int groups = (block.mesh().rows + kernel.lanes - 1) / kernel.lanes;
+  std::vector<unsigned char> flags(groups);
+  kernel.internal_forces(block.view(), column_forces(block, column), column, {0, groups * kernel.lanes},
+                         block.shapes()[column], m, previous_step, {1e30, flags.data()}, report);
+}
+
+// Over the whole block: the forces are in block.far_forces().
 template <class Real>
 ColumnReport all_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block, const MaterialConstants& m,
                                  double previous_step) {
-  std::vector<int> doomed(block.view().stride);
   ColumnReport report;
-  for (int i = 0; i < block.mesh().columns(); ++i)
-    kernel.internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], m, previous_step, doomed.data(),
-                           report);
+  for (int i = 0; i < block.mesh().columns(); ++i) column_internal_forces(kernel, block, i, m, previous_step, report);
   return report;
 }
 

@@ -23,8 +23,8 @@ double largest_difference(const Block<Real>& block, const NodalForces& reference
   for (int i = 0; i <= block.mesh().columns(); ++i)
     for (int j = 0; j <= block.mesh().rows; ++j) {
       const long n = block.at(i, j);
-      worst = std::max(
-          {worst, std::abs(block.view().f_r[n] - reference.r[n]), std::abs(block.view().f_z[n] - reference.z[n])});
+      worst = std::max({worst, std::abs(block.far_forces().r[n] - reference.r[n]),
+                        std::abs(block.far_forces().z[n] - reference.z[n])});
     }
   return worst / largest(reference);
 }
@@ -71,7 +71,8 @@ TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
     const auto& view = block.view();
     double size = 0;
     for (int i = 0; i <= block.mesh().columns(); ++i)
-      for (int j = 0; j <= block.mesh().rows; ++j) size = std::max(size, std::abs(view.f_r[block.at(i, j)]));
+      for (int j = 0; j <= block.mesh().rows; ++j)
+        size = std::max(size, std::abs(block.far_forces().r[block.at(i, j)]));
     const auto energy = [&] {
       const EnergyLedger stored = stored_energy(block, material);
       return stored.elastic + stored.hourglass;
@@ -79,7 +80,7 @@ TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
     const double step = 1e-6;
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j)
-        for (const auto& [u, f] : {std::pair{view.u_r, view.f_r}, {view.u_z, view.f_z}}) {
+        for (const auto& [u, f] : {std::pair{view.u_r, block.far_forces().r}, {view.u_z, block.far_forces().z}}) {
           const long n = block.at(i, j);
           const double at = u[n];
           u[n] = at + step;
@@ -103,8 +104,8 @@ TEST(Kernel, ARigidTranslationAlongTheAxisMakesNoForceAndNoEnergy) {
     // Far below mu times an element's face, 2 x 0.33 x 0.33: rounding of the stress-free state.
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j) {
-        EXPECT_NEAR(block.view().f_r[block.at(i, j)], 0, 1e-7) << kernels.level;
-        EXPECT_NEAR(block.view().f_z[block.at(i, j)], 0, 1e-7) << kernels.level;
+        EXPECT_NEAR(block.far_forces().r[block.at(i, j)], 0, 1e-7) << kernels.level;
+        EXPECT_NEAR(block.far_forces().z[block.at(i, j)], 0, 1e-7) << kernels.level;
       }
     const EnergyLedger stored = stored_energy(block, constants_of(problem));
     EXPECT_NEAR(stored.elastic, 0, 1e-10);
@@ -121,14 +122,14 @@ TEST(Kernel, InternalForcesAlongTheAxisAddUpToNothing) {
   double sum = 0, size = 0;
   for (int i = 0; i <= block.mesh().columns(); ++i)
     for (int j = 0; j <= block.mesh().rows; ++j) {
-      sum += block.view().f_z[block.at(i, j)];
-      size += std::abs(block.view().f_z[block.at(i, j)]);
+      sum += block.far_forces().z[block.at(i, j)];
+      size += std::abs(block.far_forces().z[block.at(i, j)]);
     }
   EXPECT_GT(size, 1);
   EXPECT_NEAR(sum, 0, 1e-14 * size);
 }
 
-TEST(Kernel, ElementsBeyondTheErosionStretchAreListedAndPullNoMore) {
+TEST(Kernel, ElementsBeyondTheErosionStretchAreMarkedAndPullNoMore) {
   const Problem problem = small_problem(8.5);
   for (const auto& kernels : kernels_here()) {
     Block<double> block(problem, mesh_of(problem), 1, kernels.twice->lanes);
@@ -137,21 +138,17 @@ TEST(Kernel, ElementsBeyondTheErosionStretchAreListedAndPullNoMore) {
     // Row 20 is pulled to a stretch of 1.6; everything else moves with it unstrained.
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 21; j <= block.mesh().rows; ++j) block.view().u_z[block.at(i, j)] = 0.6 * block.mesh().row_height;
-    std::vector<int> doomed(block.view().stride);
     for (int i = 0; i < block.mesh().columns(); ++i) {
       ColumnReport report;
-      kernels.twice->internal_forces(block.view(), i, block.mesh().rows, block.shapes()[i], material, 0, doomed.data(),
-                                     report);
+      column_internal_forces(*kernels.twice, block, i, material, 0, report);
       ASSERT_EQ(report.doomed, 1) << kernels.level;
-      EXPECT_EQ(doomed[0], 20) << kernels.level;
-      block.take_out(i, 20, [](int, int) {});
+      for (int j = 0; j < block.mesh().rows; ++j)
+        EXPECT_EQ(block.view().alive[block.at(i, j)], j == 20 ? -1 : 1) << kernels.level << ", row " << j;
+      block.take_out(i, 20, false, [](int, int) {});
     }
     for (int i = 0; i <= block.mesh().columns(); ++i)
-      for (const int j : {20, 21}) EXPECT_NEAR(block.view().f_z[block.at(i, j)], 0, 1e-11) << kernels.level;
-    ColumnReport again;
-    kernels.twice->internal_forces(block.view(), 0, block.mesh().rows, block.shapes()[0], material, 0, doomed.data(),
-                                   again);
-    EXPECT_EQ(again.doomed, 0) << "what is gone is not listed twice";
+      for (const int j : {20, 21}) EXPECT_NEAR(block.far_forces().z[block.at(i, j)], 0, 1e-11) << kernels.level;
+    EXPECT_EQ(all_internal_forces(*kernels.twice, block, material, 0).doomed, 0) << "what is gone is not marked twice";
   }
 }
 
@@ -163,10 +160,9 @@ TEST(Kernel, TheHoopStretchErodesToo) {
   auto material = constants_of(problem);
   material.erosion_stretch = 1.5;
   for (int i = 0; i <= block.mesh().columns(); ++i)
-    for (int j = 0; j <= block.mesh().rows; ++j) block.view().u_r[block.at(i, j)] = 0.6 * block.shapes()[2].mean_radius;
-  std::vector<int> doomed(block.view().stride);
+    for (int j = 0; j <= block.mesh().rows; ++j) block.view().u_r[block.at(i, j)] = 0.6 / block.shapes()[2].per_radius;
   ColumnReport report;
-  kernel.internal_forces(block.view(), 2, block.mesh().rows, block.shapes()[2], material, 0, doomed.data(), report);
+  column_internal_forces(kernel, block, 2, material, 0, report);
   EXPECT_EQ(report.doomed, block.mesh().rows);
 }
 
@@ -175,18 +171,19 @@ TEST(Kernel, ContactPushesAlongTheRadiusAndTheSphereFeelsTheSame) {
   for (const auto& kernels : kernels_here()) {
     const Block<double> block(problem, mesh_of(problem), 3.0, kernels.twice->lanes);
     const auto& view = block.view();
+    const Rows rows{0, (block.mesh().rows + kernels.twice->lanes) / kernels.twice->lanes * kernels.twice->lanes};
     const double centre = 4.1;
-    SphereReport report;
+    ContactReport report;
     double sum = 0, energy = 0, deepest = 0;
     for (int i = 0; i <= block.mesh().columns(); ++i) {
-      kernels.twice->sphere_contact(view, i, block.mesh().radius[i], block.mesh().row_height, 0, block.mesh().rows + 1,
-                                    centre, report);
+      kernels.twice->sphere_contact(view, block.far_forces(),
+                                    {i, block.mesh().radius[i], block.mesh().row_height, rows}, centre, report);
       for (int j = 0; j <= block.mesh().rows; ++j) {
         const double r = block.mesh().radius[i], z = j * block.mesh().row_height - centre, distance = std::hypot(r, z);
         const double gap = std::max(0.0, 1 - distance), k = 3 * block.mass(i, j);
-        EXPECT_NEAR(view.f_r[block.at(i, j)], gap > 0 ? k * gap * r / distance : 0, 1e-14) << kernels.level;
-        EXPECT_NEAR(view.f_z[block.at(i, j)], gap > 0 ? k * gap * z / distance : 0, 1e-14) << kernels.level;
-        sum += view.f_z[block.at(i, j)];
+        EXPECT_NEAR(block.far_forces().r[block.at(i, j)], gap > 0 ? k * gap * r / distance : 0, 1e-14) << kernels.level;
+        EXPECT_NEAR(block.far_forces().z[block.at(i, j)], gap > 0 ? k * gap * z / distance : 0, 1e-14) << kernels.level;
+        sum += block.far_forces().z[block.at(i, j)];
         energy += 0.5 * k * gap * gap;
         deepest = std::max(deepest, gap);
       }

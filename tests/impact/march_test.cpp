@@ -4,31 +4,12 @@
 
 #include <cmath>
 
+#include "impact/same_bits.hpp"
 #include "impact/setting_s.hpp"
 #include "percal/impact/recorder.hpp"
 
 namespace percal {
 namespace {
-
-// The same bits in everything that the motion decides.
-void same_motion(const ImpactResult& a, const ImpactResult& b) {
-  EXPECT_EQ(a.outcome, b.outcome);
-  EXPECT_EQ(a.depth, b.depth);
-  EXPECT_EQ(a.end_time, b.end_time);
-  EXPECT_EQ(a.end_speed, b.end_speed);
-  EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.eroded, b.eroded);
-  EXPECT_EQ(a.smallest_jacobian, b.smallest_jacobian);
-  EXPECT_EQ(a.largest_gap, b.largest_gap);
-  EXPECT_EQ(a.energy.viscosity, b.energy.viscosity);
-  EXPECT_EQ(a.energy.particle, b.energy.particle);
-}
-
-// And in the energies of the whole block as well.
-void same_bits(const ImpactResult& a, const ImpactResult& b) {
-  same_motion(a, b);
-  EXPECT_EQ(a.energy.sum(), b.energy.sum());
-}
 
 TEST(March, TheSameProblemGivesTheSameBits) { same_bits(run_impact(setting_s(5)), run_impact(setting_s(5))); }
 
@@ -66,23 +47,9 @@ TEST(March, AShortEndTimeComesFirst) {
   p.end_time = 1;
   const ImpactResult result = run_impact(p);
   EXPECT_EQ(result.outcome, Outcome::time_up);
-  EXPECT_NEAR(result.end_time, 1, 0.02);
+  EXPECT_NEAR(result.end_time, 1, 0.05);  // a long step is 0.045
   EXPECT_GT(result.depth, 0.9);
-  EXPECT_LT(result.depth, 1.02);
-}
-
-TEST(March, AnImpactFasterThanTheWavesIsNotRun) {
-  Problem p = setting_s();
-  p.bulk_ratio = p.pi4 - 4.0 / 3 - 0.01;
-  EXPECT_GT(mach_number(p), 1);
-  const ImpactResult result = run_impact(p);
-  EXPECT_EQ(result.outcome, Outcome::supersonic);
-  EXPECT_EQ(result.steps, 0);
-  p.bulk_ratio = p.pi4 - 4.0 / 3 + 0.01;
-  p.end_time = 0.1;
-  EXPECT_EQ(run_impact(p).outcome, Outcome::time_up);
-  p.speed_factor = 1.01;
-  EXPECT_EQ(run_impact(p).outcome, Outcome::supersonic) << "the replicate's own speed counts";
+  EXPECT_LT(result.depth, 1.05);
 }
 
 // Beyond the stable step, with nothing that damps or erodes.
@@ -102,6 +69,7 @@ TEST(March, EnergyThatIsMadeIsNotPassedOffAsAResult) {
   p.elements_per_radius = 4;
   p.alpha = 5;
   p.pi4 = 2;
+  p.rates = 1;
   p.contact_stiffness = 3;
   p.linear_viscosity = p.quadratic_viscosity = 0;
   p.end_time = 1000;
@@ -260,8 +228,7 @@ TEST(History, TheForcesImpulseIsTheSpeedLost) {
 }
 
 TEST(Outcome, HasAWordThatReadsBack) {
-  for (const Outcome outcome :
-       {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::supersonic, Outcome::unstable})
+  for (const Outcome outcome : {Outcome::stopped, Outcome::passed_through, Outcome::time_up, Outcome::unstable})
     EXPECT_EQ(outcome_from(word(outcome)), outcome);
   EXPECT_EQ(word(Outcome::passed_through), "passed through");
   EXPECT_THROW(outcome_from("fine"), std::invalid_argument);

@@ -1,14 +1,31 @@
-// A march without the shortcuts: every row moves from the first step on, contact is sought everywhere, nothing erodes. It shares the
-// kernel and the rule for the step with the real one, and lets a test look at the nodes.
+// A march without the shortcuts, at one rate: every row moves from the first step on, contact is sought everywhere, and which
+// elements go is judged here, element by element. It shares the kernel's forces and the rule for the step with the real one.
 #pragma once
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "impact/element_reference.hpp"
+#include "percal/impact/particle.hpp"
 #include "percal/impact/settings.hpp"
 
 namespace percal {
+
+// Largest squared principal stretch of an element, the hoop's included.
+inline double largest_squared_stretch(const Block<double>& block, int column, int row) {
+  const auto& shape = block.shapes()[column];
+  scalar::Gradient<double> F{1, 0, 0, 1, 1};
+  for (int a = 0; a < 4; ++a) {
+    const long n = block.at(column + corner_column[a], row + corner_row[a]);
+    const double ur = block.view().u_r[n], uz = block.view().u_z[n];
+    F.rr += along_r[a] * ur / shape.width;
+    F.rz += along_z[a] * ur / shape.height;
+    F.zr += along_r[a] * uz / shape.width;
+    F.zz += along_z[a] * uz / shape.height;
+    F.hoop += ur * shape.per_radius / 4;
+  }
+  return std::max(scalar::stretches(F).first2, F.hoop * F.hoop);
+}
 
 class PlainMarch {
  public:
@@ -17,23 +34,27 @@ class PlainMarch {
         reference_step_(undeformed_step(reference_bulk_ratio * problem.mu())),
         first_step_(undeformed_step(problem.bulk())),
         block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
-               kernel<double>().lanes) {
+               kernel<double>().lanes),
+        last_stretch2_(static_cast<std::size_t>(block_.mesh().columns()) * block_.view().stride, 1.0),
+        speed_(problem.speed_factor),
+        mass_(2.0 / 3 * problem.density_ratio) {
     material_ = constants_of(problem);
     material_.linear_viscosity = problem.linear_viscosity * std::sqrt(problem.bulk() + 4.0 / 3 * problem.mu());
     material_.quadratic_viscosity = problem.quadratic_viscosity * problem.quadratic_viscosity;
-    sphere_.speed = problem.speed_factor;
-    sphere_.mass = 2.0 / 3 * problem.density_ratio;
   }
 
   void run() {
     const auto& mesh = block_.mesh();
+    const auto& lanes = kernel<double>().lanes;
+    const Rows rows{0, (mesh.rows + lanes) / lanes * lanes};
     double time = 0, last = 0;
     for (;;) {
+      erode();
       const auto forces = all_internal_forces(kernel<double>(), block_, material_, last);
-      SphereReport contact;
+      ContactReport contact;
       for (int i = 0; i <= mesh.columns(); ++i)
-        kernel<double>().sphere_contact(block_.view(), i, mesh.radius[i], mesh.row_height, 0, mesh.rows + 1,
-                                        sphere_.centre(), contact);
+        kernel<double>().sphere_contact(block_.view(), block_.far_forces(), {i, mesh.radius[i], mesh.row_height, rows},
+                                        tip_ - 1, contact);
       const bool done = time >= problem_.end_time;
       double step = problem_.time_step_factor / std::max(forces.largest_inverse_step, 1 / first_step_);
       const double of_contact = 2 * reference_step_ / std::sqrt(problem_.contact_stiffness);
@@ -41,23 +62,18 @@ class PlainMarch {
       if (last > 0) step = std::min(step, step_growth * last);
       const double kick = 0.5 * (last + (done ? 0 : step)), drift = done ? 0 : step;
       for (int i = 0; i < mesh.columns(); ++i)
-        kernel<double>().kick_and_drift(block_.view(), i, mesh.rows, kick, drift);
-      sphere_.speed -= contact.force / sphere_.mass * kick;
-      sphere_.tip += sphere_.speed * drift;
+        kernel<double>().kick_and_drift(block_.view(), block_.far_forces(), i, rows, i == 0, kick, drift);
+      speed_ -= contact.force / mass_ * kick;
+      tip_ += speed_ * drift;
       if (done) return;
       time += drift;
       last = drift;
     }
   }
 
-  const Sphere& sphere() const { return sphere_; }
-  // Of the block, downwards, per radian.
-  double block_momentum() const {
-    double sum = 0;
-    for (int i = 0; i <= block_.mesh().columns(); ++i)
-      for (int j = 0; j <= block_.mesh().rows; ++j) sum += block_.mass(i, j) * block_.view().v_z[block_.at(i, j)];
-    return sum;
-  }
+  double speed() const { return speed_; }
+  double tip() const { return tip_; }
+  long eroded() const { return eroded_; }
 
  private:
   double undeformed_step(double bulk) const {
@@ -65,11 +81,29 @@ class PlainMarch {
     return 1 / std::sqrt((bulk + 4.0 / 3 * problem_.mu()) * (1 / (width * width) + 1 / (height * height)));
   }
 
+  // An element goes when its largest stretch would pass the limit within the next half step, at the pace of the last one.
+  void erode() {
+    const auto* erosion = std::get_if<StrainErosion>(&problem_.erosion);
+    if (!erosion) return;
+    const double limit = stretch_at(erosion->limit, erosion->measure);
+    for (int i = 0; i < block_.mesh().columns(); ++i)
+      for (int j = 0; j < block_.mesh().rows; ++j) {
+        if (!(block_.view().alive[block_.at(i, j)] > 0)) continue;
+        const double now = largest_squared_stretch(block_, i, j), before = last_stretch2_[block_.at(i, j)];
+        last_stretch2_[block_.at(i, j)] = now;
+        if (now + (now - before) / 2 <= limit * limit) continue;
+        block_.take_out(i, j, false, [](int, int) {});
+        ++eroded_;
+      }
+  }
+
   const Problem problem_;
   const double reference_step_, first_step_;
   Block<double> block_;
+  std::vector<double> last_stretch2_;
   MaterialConstants material_;
-  Sphere sphere_;
+  double speed_, mass_, tip_ = 0;
+  long eroded_ = 0;
 };
 
 }  // namespace percal

@@ -62,7 +62,7 @@ TEST(Penetration, RunsThatPassedThroughGiveABoundAndNoDepth) {
 }
 
 TEST(Penetration, OutcomesOfDifferentKindsAreNeverAveraged) {
-  for (const Outcome other : {Outcome::passed_through, Outcome::time_up, Outcome::unstable, Outcome::supersonic})
+  for (const Outcome other : {Outcome::passed_through, Outcome::time_up, Outcome::unstable})
     for (const bool first : {true, false}) {
       const Evaluation stopped = ended(Outcome::stopped, 70), odd = ended(other, 75);
       const Penetration p = first ? of({odd, stopped, stopped}) : of({stopped, stopped, odd});
@@ -90,11 +90,7 @@ TEST(Penetration, EnergySharesAreMeansAndTheWorstClosureIsKept) {
   EXPECT_NEAR(p.worst_closure, 0.02, 1e-15);
 }
 
-TEST(Penetration, ARunThatWasRefusedHasNoEnergyErrorToTellOf) {
-  Evaluation refused;
-  refused.result.outcome = Outcome::supersonic;
-  EXPECT_EQ(of({refused}).worst_closure, 0);
-}
+TEST(Penetration, ARunWithoutAStepHasNoEnergyErrorToTellOf) { EXPECT_EQ(of({Evaluation{}}).worst_closure, 0); }
 
 TEST(Warnings, SpringsAndViscosityAboveAQuarterOfTheEnergyAreTold) {
   Evaluation run = ended(Outcome::stopped, 25);

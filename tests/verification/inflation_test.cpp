@@ -112,7 +112,7 @@ double pressure_of_body(Shell shell, const ShellMesh& mesh, const BodySolid& sol
   ShellBody body(shell, mesh, solid);
   body.press(0, load.outside);
   body.expand(load.stretch);
-  const Relaxation end = relax(body.body, {.unbalance = 1e-6});
+  const Settling end = relax(body.body, {.unbalance = 1e-6});
   EXPECT_TRUE(end.settled) << load.stretch << ": " << end.unbalance << " after " << end.steps;
   return body.inner_pressure();
 }

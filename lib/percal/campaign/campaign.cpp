@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <time.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -25,11 +26,20 @@ double thread_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Evaluation run(const Problem& problem) {
+// Below this many elements a second thread inside a run costs more than it gives.
+constexpr double worth_a_thread = 40'000;
+
+double elements_of(const Problem& p) {
+  const double columns = p.fine_width * p.elements_per_radius + p.graded_columns;
+  return columns * p.whole_depth() * p.elements_per_radius * (p.whole ? 2 : 1);
+}
+
+Evaluation run(const Problem& problem, int spare_threads) {
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
-  Evaluation evaluation{.result = run_impact(problem), .instruction_level = instruction_level()};
-  evaluation.cpu_seconds = thread_cpu_seconds() - cpu;
+  const int threads = std::clamp(static_cast<int>(elements_of(problem) / worth_a_thread), 1, spare_threads);
+  Evaluation evaluation{.result = run_impact(problem, threads), .instruction_level = instruction_level()};
+  evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return evaluation;
 }
@@ -55,7 +65,9 @@ Campaign::Campaign(Store* store, int threads)
       threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
       books_(std::make_shared<Books>()) {}
 
-Evaluation Campaign::evaluate(const Problem& problem) {
+Evaluation Campaign::evaluate(const Problem& problem) { return evaluate(problem, 1); }
+
+Evaluation Campaign::evaluate(const Problem& problem, int threads) {
   const std::string key = evaluation_key(problem, instruction_level());
   if (store_ && std::holds_alternative<NoHistory>(problem.history)) {
     if (const auto stored = store_->find(key)) {
@@ -65,7 +77,7 @@ Evaluation Campaign::evaluate(const Problem& problem) {
       return evaluation;
     }
   }
-  Evaluation evaluation = run(problem);
+  Evaluation evaluation = run(problem, threads);
   if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
   const std::lock_guard lock(books_->mutex);
   ++books_->cost.runs;
@@ -85,8 +97,9 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
     if (is_new) distinct.push_back(i);
   }
   std::vector<Evaluation> results(problems.size());
+  const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(distinct.size())));
   side_by_side(static_cast<int>(distinct.size()), [&](int k) {
-    results[distinct[k]] = evaluate(problems[distinct[k]]);
+    results[distinct[k]] = evaluate(problems[distinct[k]], threads_each);
     if (progress) progress->add();
   });
   for (std::size_t i = 0; i < problems.size(); ++i)

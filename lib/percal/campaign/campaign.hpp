@@ -1,4 +1,5 @@
-// Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core.
+// Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core; where there are
+// fewer runs than cores, large ones get several. The bits are the same.
 #pragma once
 #include <functional>
 #include <memory>
@@ -41,6 +42,7 @@ class Campaign {
   int threads() const { return threads_; }
 
  private:
+  Evaluation evaluate(const Problem& problem, int threads);
   Evaluation read(const StoredEvaluation& stored) const;
 
   struct Books;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "percal/impact/constants.hpp"
 #include "percal/impact/settings.hpp"
@@ -21,17 +22,24 @@ double volume_of_revolution(const Disc& disc) {
   return volume;
 }
 
-// The polygon has the sphere's volume, so that mass and mean radius are right; its lowest point is at the origin.
+// Its lowest point is at the origin.
 Disc sphere_mesh(const Problem& problem) {
   Disc disc = half_disc(std::max(problem.elements_per_radius, fewest_particle_elements));
-  const double scale = std::cbrt(2.0 / 3 / volume_of_revolution(disc));
-  for (Point& node : disc.mesh.nodes) node = {scale * node[0], scale * (node[1] + 1)};
+  for (Point& node : disc.mesh.nodes) node[1] += 1;
   return disc;
 }
 
+// So that the outline is the circle that its points lie on.
+double bulge_of(const Disc& disc) {
+  const double edges = static_cast<double>(disc.boundary.size()) - 1;
+  return std::tan(std::numbers::pi / edges / 4) / 2;
+}
+
+// Denser than the sphere by what the polygon lacks of its volume.
 BodySolid solid_of(const Problem& problem) {
   const auto& sphere = std::get<ElasticSphere>(problem.particle);
-  BodySolid solid = elastic_solid(sphere.youngs_modulus, sphere.poisson_ratio, problem.density_ratio);
+  BodySolid solid = elastic_solid(sphere.youngs_modulus, sphere.poisson_ratio,
+                                  problem.density_ratio * 2 / 3 / volume_of_revolution(sphere_mesh(problem)));
   solid.linear_viscosity = problem.linear_viscosity;
   solid.quadratic_viscosity = problem.quadratic_viscosity;
   return solid;
@@ -52,11 +60,13 @@ ElasticContact& ElasticContact::operator+=(const ElasticContact& other) {
 ElasticSphereRun::ElasticSphereRun(const Problem& problem)
     : body_(sphere_mesh(problem).mesh, Geometry::axisymmetric, solid_of(problem)),
       boundary_(sphere_mesh(problem).boundary),
+      outline_(bulge_of(sphere_mesh(problem))),
       target_springs_(step_limits(problem).largest_contact_stiffness_per_mass) {
   for (int n = 0; n < body_.nodes(); ++n) {
     body_.set_velocity(n, {0, -problem.speed_factor});
     mass_ += body_.mass(n);
   }
+  blow_.resize(body_.nodes());
   body_.forces();
   follow_outline();
   look_at_step();
@@ -67,7 +77,8 @@ ElasticSphereRun::ElasticSphereRun(const Problem& problem)
   else if (!(steps <= most_particle_steps)) {
     const auto& sphere = std::get<ElasticSphere>(problem.particle);
     failure_ = fmt::format(
-        "an elastic particle so stiff takes {:.0f} of its own steps for one of the target's, and at most {} are run; its strain would be "
+        "an elastic particle so stiff takes {:.0f} of its own steps for one of the target's, and at most {} are run; "
+        "its strain would be "
         "about {:.1g}: a rigid one will do",
         steps, most_particle_steps, (1 + 10 * problem.mu()) / sphere.youngs_modulus);
   }
@@ -80,8 +91,11 @@ double ElasticSphereRun::steps_in(double time) const {
 }
 
 void ElasticSphereRun::look_at_step() {
-  const double step = body_.stable_step();
+  const double before = own_inverse_square_step_, step = body_.stable_step();
   own_inverse_square_step_ = 1 / (step * step);
+  const bool is_steady = std::abs(own_inverse_square_step_ - before) < particle_step_change * before;
+  moves_to_look_ = (is_steady ? particle_step_interval : 1) - 1;
+  if (!std::isfinite(speed())) failure_ = "the particle's speed is not finite";
   if (!(body_.smallest_jacobian() > inverted_jacobian)) failure_ = "an element of the particle turned inside out";
 }
 
@@ -91,7 +105,7 @@ void ElasticSphereRun::follow_outline() {
   outline_.set(std::move(points));
 }
 
-// A node inside the outline by `gap` is pushed out the shortest way, with force stiffness gap. The edge is pushed back.
+// A node inside the outline by `gap` is pushed out with force stiffness gap along the gap's gradient; the edge is pushed back.
 Point ElasticSphereRun::meet(const Point& at, double stiffness, ElasticContact& contact) const {
   const Inside inside = outline_.inside(at);
   if (inside.ways == 0) return {};
@@ -99,14 +113,13 @@ Point ElasticSphereRun::meet(const Point& at, double stiffness, ElasticContact& 
   Point push{};
   for (int w = 0; w < inside.ways; ++w) {
     const WayOut& way = inside.way[w];
-    OutlineLoad* const ends = &contact.loads[way.edge];
-    const double shares[2] = {1 - way.share, way.share}, part = stiffness / inside.ways;
-    for (int d = 0; d < 2; ++d) {
-      const double f = part * inside.gap * way.normal[d];
-      push[d] += f;
-      for (int end = 0; end < 2; ++end) ends[end].force[d] -= shares[end] * f;
+    const double part = stiffness / inside.ways, f = part * inside.gap;
+    for (int d = 0; d < 2; ++d) push[d] += f * way.away[d];
+    for (int end = 0; end < 2; ++end) {
+      OutlineLoad& load = contact.loads[way.edge + end];
+      for (int d = 0; d < 2; ++d) load.force[d] -= f * way.by_end[end][d];
+      load.stiffness += part * (end == 0 ? 1 - way.share : way.share);
     }
-    for (int end = 0; end < 2; ++end) ends[end].stiffness += shares[end] * part;
   }
   contact.force -= push[1];
   contact.spring_energy += 0.5 * stiffness * inside.gap * inside.gap;
@@ -114,31 +127,47 @@ Point ElasticSphereRun::meet(const Point& at, double stiffness, ElasticContact& 
   return push;
 }
 
+// What moves the sphere as a whole is given to all nodes at once, as to a rigid one. What is left, which only deforms it, has
+// no sum; drift() gives it out evenly, for a blow on light nodes at the outline would make them ring.
 void ElasticSphereRun::kick(const Contact& contact, double time) {
+  if (contact.loads.empty()) return;
+  const double whole = time * contact.force / mass_;  // change of velocity, upwards
+  for (int n = 0; n < body_.nodes(); ++n) {
+    body_.set_velocity(n, {body_.velocity(n)[0], body_.velocity(n)[1] + whole});
+    blow_[n][1] -= whole;
+  }
   for (std::size_t b = 0; b < contact.loads.size(); ++b) {
     const int node = boundary_[b];
     const double mass = body_.mass(node);
-    Point v = body_.velocity(node);
     for (int d = 0; d < 2; ++d)
-      if (!body_.held(node, d)) v[d] += time * contact.loads[b].force[d] / mass;
-    body_.set_velocity(node, v);
+      if (!body_.held(node, d)) blow_[node][d] += time * contact.loads[b].force[d] / mass;
     spring_stiffness_per_mass_ = std::max(spring_stiffness_per_mass_, contact.loads[b].stiffness / mass);
+  }
+}
+
+void ElasticSphereRun::give_out(double share) {
+  for (int n = 0; n < body_.nodes(); ++n) {
+    const Point& v = body_.velocity(n);
+    body_.set_velocity(n, {v[0] + share * blow_[n][0], v[1] + share * blow_[n][1]});
   }
 }
 
 // The body's velocities stand at the time of its displacements before and after, but for what kick() gives.
 void ElasticSphereRun::drift(double time) {
-  if (time == 0) return;
-  if (drifts_++ % particle_step_interval == 0) look_at_step();
+  if (time > 0 && --moves_to_look_ < 0) look_at_step();
   const double needed = steps_in(time);
   if (failure_.empty() && !(needed <= most_particle_steps)) failure_ = "the particle's time step collapsed";
   if (!failure_.empty()) return;
   const int steps = static_cast<int>(needed);
   const double step = time / steps;
   for (int k = 0; k < steps; ++k) {
+    give_out(1.0 / steps);
+    if (step == 0) continue;
     body_.step(k == 0 ? 0.5 * step : step, step);
     body_.forces();
   }
+  std::fill(blow_.begin(), blow_.end(), Point{});
+  if (step == 0) return;
   body_.step(0.5 * step, 0);
   follow_outline();
 }
@@ -151,8 +180,8 @@ Point ElasticSphereRun::outline_velocity(const WayOut& way) const {
 Overlap ElasticSphereRun::overlap(double x, double z) const {
   const Inside inside = outline_.inside({x, -z});
   if (inside.ways == 0) return {};
-  const Point normal = inside.normal();
-  return {inside.gap, normal[0], -normal[1]};
+  const Point away = inside.away();
+  return {inside.gap, away[0], -away[1]};
 }
 
 PointVelocity ElasticSphereRun::velocity_at(double x, double z) const {

@@ -72,6 +72,7 @@ class ElasticSphereRun {
  private:
   // The force on a node of the target that is at `at`; what it does to the outline is added to `contact`.
   Point meet(const Point& at, double stiffness, ElasticContact& contact) const;
+  void give_out(double share);
   void look_at_step();
   double steps_in(double time) const;
   void follow_outline();
@@ -80,11 +81,12 @@ class ElasticSphereRun {
   Body body_;
   std::vector<int> boundary_;  // nodes of the body, in the order of the outline's points
   Outline outline_;
+  std::vector<Point> blow_;  // velocities that kick() gave and drift() has yet to give out
   double mass_ = 0;
-  double target_springs_;           // of the target's nodes over their masses
-  double own_inverse_square_step_;  // 1/dt^2 of the body alone
+  double target_springs_;               // of the target's nodes over their masses
+  double own_inverse_square_step_ = 0;  // 1/dt^2 of the body alone
   double spring_stiffness_per_mass_ = 0;
-  long drifts_ = 0;
+  int moves_to_look_ = 0;
   std::string failure_;
 };
 

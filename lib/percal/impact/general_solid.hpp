@@ -14,6 +14,25 @@ struct GeneralConstants : SolidConstants<C> {
   C hourglass_inverse_step;     // 1/dt that the viscosity of the hourglass mode needs
 };
 
+// take(of a, of b) for each of them.
+template <class A, class B, class Take>
+void each_constant(GeneralConstants<A>& a, const GeneralConstants<B>& b, Take take) {
+  take(a.mu, b.mu);
+  take(a.bulk, b.bulk);
+  take(a.alpha, b.alpha);
+  take(a.two_mu_over_alpha, b.two_mu_over_alpha);
+  take(a.half_bulk, b.half_bulk);
+  take(a.hourglass, b.hourglass);
+  take(a.linear_viscosity, b.linear_viscosity);
+  take(a.quadratic_viscosity, b.quadratic_viscosity);
+  take(a.erosion_limit, b.erosion_limit);
+  take(a.smallest_jacobian, b.smallest_jacobian);
+  take(a.largest_inverse_step, b.largest_inverse_step);
+  take(a.per_density, b.per_density);
+  take(a.energy_scale, b.energy_scale);
+  take(a.hourglass_inverse_step, b.hourglass_inverse_step);
+}
+
 template <class Real>
 PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& m, const ColumnShape& shape,
                                                        HourglassKind hourglass, ErosionKind erosion) {
@@ -131,12 +150,9 @@ class GeneralSolid {
   }
   // All lanes alike until the layer's last whole group; a group that holds the end of a layer takes each lane's own.
   void take_constants(int j) {
-    static_assert(sizeof(Constants) == sizeof(GeneralConstants<Real>) * lanes);
-    constexpr int count = sizeof(GeneralConstants<Real>) / sizeof(Real);
-    V* all = reinterpret_cast<V*>(&constants_);
     for (int l = 0; l < lanes; ++l) {
       const GeneralConstants<Real> own = of_layer(layer_of(j + l));
-      for (int k = 0; k < count; ++k) all[k][l] = reinterpret_cast<const Real*>(&own)[k];
+      each_constant(constants_, own, [l](V& all, Real one) { all[l] = one; });
     }
     const SolidLayer& layer = layer_of(j);
     const bool last = &layer == view_.layers + view_.layer_count - 1;

@@ -37,7 +37,8 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
       .height2 = Real(1 / (shape.height * shape.height)),
       .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)};
   const Real length = Real(__builtin_sqrt(area));
-  const Real per_step = previous_step > 0 ? Real(1 / previous_step) : Real(0);
+  const bool again = !(previous_step > 0);  // nothing has moved: what depends on rates is as it was
+  const Real per_step = again ? Real(0) : Real(1 / previous_step);
   const Real watched = Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number);
 
   const V zero{};
@@ -78,7 +79,7 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
     const V current_length = length * square_root(s.in_plane_jacobian);
     const V damping =
         current_length * (material.linear_viscosity + material.quadratic_viscosity * current_length * closing);
-    V q = damping * closing;
+    V q = again ? old_viscous : damping * closing;
     Piola<V> P = first_piola(F, s, t, solid.volumetric_stress(s, q));
     solid.relax(j, F, s, t, P);
 

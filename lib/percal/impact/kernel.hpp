@@ -166,7 +166,7 @@ struct ContactNodes {
 template <class Real>
 struct Kernel {
   // Sets the corner forces of column i's elements in these rows; marks the elements that are to be taken out, which give none.
-  // previous_step led to these displacements; 0 in the first step.
+  // previous_step led to these displacements; 0 in the first step, and where the same displacements are looked at again.
   void (*internal_forces)(const FieldsView<Real>&, const ColumnForces<Real>&, int column, Rows, const ColumnShape&,
                           const MaterialConstants&, double previous_step, const StiffnessWatch&, ColumnReport&);
   // The same of a target that is more than one layer of the plain solid.

@@ -38,6 +38,7 @@ class March {
       ++contact_.column_end;
     if (substeps_ > 1)
       near_ = NearCells(block_.mesh().columns(), sweep_.whole_groups(block_.mesh().rows), kernel_.lanes);
+    before_ = near_;
     result_.elements = block_.mesh().elements();
     result_.smallest_step = 1;
   }
@@ -68,9 +69,11 @@ class March {
 
   void find_all_forces() {
     if (result_.steps % search_interval == 0) find_contact_rows();
-    if (substeps_ > 1 && result_.steps % near_interval == 0) choose_near_cells();
+    const bool choose = substeps_ > 1 && result_.steps % near_interval == 0;
+    if (choose) choose_near_cells();
     sweep_.set_time(time_);
     take_in(sweep_.all(near_, rows_moving_, last_far_step_, last_step_));
+    if (choose) settle_those_that_changed();
     far_inverse_step_ = forces_.far_inverse_step;
     result_.element_steps += static_cast<double>(rows_moving_) * block_.mesh().columns();
     touch_far();
@@ -108,11 +111,20 @@ class March {
     near_.close();
   }
 
+  // Velocities stand half a last step behind, a long one for what was far, a short one for what was near; the next kick takes it that
+  // everything was what it is now. What has changed gets the difference.
+  void settle_those_that_changed() {
+    const double late = 0.5 * (last_far_step_ - last_step_);
+    near_.differences(
+        before_, [&](int column, int row) { sweep_.kick_by_cell(column, row, near_.has(column, row) ? late : -late); });
+    before_ = near_;
+  }
+
   // The energy that leaves with an element is what it stores plus what its forces, gone before the end of the last step, did
   // not do any more in that step's second half; so the books close to second order (docs/theory/impact.md, "Energy").
   void erode(int column, int row) {
     const auto energy = element_energy(block_, solid_, column, row,
-                                       substeps_ > 1 && near_.has(column, row) ? last_step_ : last_far_step_);
+                                       substeps_ > 1 && before_.has(column, row) ? last_step_ : last_far_step_);
     eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
     ++result_.eroded;
     if (block_.view().alive[block_.at(column, row)] < -1) ++result_.distorted;
@@ -136,7 +148,8 @@ class March {
   // Nodes around the particle meet it once a short step, others once a long one.
   void touch_far() {
     const double height = block_.mesh().row_height;
-    contact_.rows.end = std::min(rows_moving_, static_cast<int>((particle_.tip() + 1) / height) + 2);
+    contact_.rows.end =
+        std::min(rows_moving_ + 1, std::max(static_cast<int>((particle_.tip() + 1) / height) + 2, lifted_rows_));
     far_contact_ = {};
     const auto touch = [&](Rows rows) {
       if (rows.empty()) return;
@@ -157,16 +170,22 @@ class March {
     result_.largest_gap = std::max(result_.largest_gap, near_contact_.largest_gap / block_.mesh().row_height);
   }
 
-  // The rows above the first are, and stay until the next search, higher than the particle's top.
+  // The rows above the first are, and stay until the next search, higher than the particle's top; those from lifted_rows_ on are
+  // lower than its tip, though they may have been lifted by more than a radius.
   void find_contact_rows() {
-    const double height = block_.mesh().row_height;
-    const double top = particle_.top() - 0.25 - 3 * search_interval * step_;
+    const double height = block_.mesh().row_height, margin = 0.25 + 3 * search_interval * step_;
+    const double top = particle_.top() - margin, bottom = particle_.tip() + margin;
+    const auto& view = block_.view();
     int first = rows_moving_;
-    for (int i = contact_.column_begin; i < contact_.column_end; ++i)
-      for (int j = 0; j < first; ++j) {
-        const long n = block_.at(i, j);
-        if (block_.view().contact_stiffness[n] > 0 && j * height + block_.view().u_z[n] > top) first = j;
-      }
+    lifted_rows_ = 0;
+    for (int i = contact_.column_begin; i < contact_.column_end; ++i) {
+      const auto touches = [&](int j) { return view.contact_stiffness[block_.at(i, j)] > 0; };
+      const auto depth = [&](int j) { return j * height + view.u_z[block_.at(i, j)]; };
+      for (int j = 0; j < first; ++j)
+        if (touches(j) && depth(j) > top) first = j;
+      for (int j = rows_moving_; j >= lifted_rows_; --j)
+        if (touches(j) && depth(j) < bottom) lifted_rows_ = j + 1;
+    }
     contact_.rows.begin = first / kernel_.lanes * kernel_.lanes;
   }
 
@@ -205,6 +224,7 @@ class March {
     step_ =
         std::min(stable_step(forces_.near_inverse_step), stable_step(std::max(far_inverse_step_, first)) / substeps_);
     if (last_step_ > 0) step_ = std::min(step_, step_growth * last_step_);
+    step_ = std::min(step_, largest_travel * block_.mesh().row_height / problem_.speed_factor);
     result_.smallest_step = std::min(result_.smallest_step, step_ / (limits_.time_step_factor * limits_.first_step));
     if (substeps_ > 1)
       sweep_.watch(std::max(1 / (longest_far_step * limits_.first_step), forces_.near_inverse_step / substeps_));
@@ -252,6 +272,14 @@ class March {
     move_near(0.5 * short_step, 0);
   }
 
+  double target_momentum() const {
+    double sum = 0;
+    for (int i = 0; i <= block_.mesh().columns(); ++i)
+      for (int j = 0; j <= block_.mesh().rows; ++j) sum += block_.mass(i, j) * block_.view().v_z[block_.at(i, j)];
+    const double particle_mass = 2 * impact_energy_ / (problem_.speed_factor * problem_.speed_factor);
+    return sum / particle_mass;
+  }
+
   void close_the_books() {
     EnergyLedger energy = stored_energy(block_, solid_);
     const ParticleEnergy own = particle_.energy();
@@ -268,8 +296,10 @@ class March {
     result_.end_speed = particle_.speed();
     result_.sideways = particle_.sideways();
     result_.turn = particle_.turn();
+    result_.target_momentum = target_momentum();
     recorder_.finish({time_, particle_.tip(), particle_.speed(), force()});
     result_.history = recorder_.take();
+    result_.helper_cpu_seconds = sweep_.helper_cpu_seconds();
     const bool closes = std::abs(energy.closure()) <= tolerated_energy_error;  // false for NaN
     if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
   }
@@ -283,9 +313,11 @@ class March {
   ParticleRun particle_;
   Recorder<HistoryOf> recorder_;
   const int substeps_;
+  NearCells before_;         // those of the last move
   NearCells near_;           // elements that take the short step
   Rows around_{0, 0};        // rows of them around the particle
   ContactRegion contact_{};  // nodes that the particle can meet
+  int lifted_rows_ = 0;
   typename ParticleRun::Contact far_contact_, near_contact_;
   SweepReport forces_;
   ImpactResult result_;

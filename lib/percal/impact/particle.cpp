@@ -22,7 +22,7 @@ double round_mass(const Problem& problem) {
 ContactReport sum_of_columns(std::span<const ContactReport> columns, bool whole) {
   ContactReport sum;
   if (!whole) {
-    for (const ContactReport& column : columns) sum += column;
+    for (auto column = columns.rbegin(); column != columns.rend(); ++column) sum += *column;
     return sum;
   }
   for (std::size_t left = 0, right = columns.size(); left < right--; ++left) {

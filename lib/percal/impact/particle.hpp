@@ -47,8 +47,8 @@ struct ContactRegion {
   Rows rows;
 };
 
-// Sums the reports of the columns. Those of a whole mesh are summed in pairs, left and right, so that the mirrored scene has the
-// mirrored sum to the last bit.
+// Sums the reports of the columns, from the outermost inwards. Those of a whole mesh are summed in pairs, left and right, so that
+// the mirrored scene has the mirrored sum to the last bit, and half a model has half of it.
 ContactReport sum_of_columns(std::span<const ContactReport> columns, bool whole);
 
 // The columns' reports of one look, and their sum.

@@ -3,13 +3,12 @@
 #include <array>
 
 #include "percal/mesh/quads.hpp"
+#include "percal/problem/choices.hpp"
 
 namespace percal {
 
-// Axisymmetric: x = r, y = z, and volumes, masses and forces are those of one radian. Plane strain: of a unit thickness.
-enum class Geometry { axisymmetric, plane_strain };
-
-// The displacement gradient of an element is its mean over the element's volume V = int w dA, with w = r or 1:
+// In an axisymmetric Geometry x = r, y = z, and volumes, masses and forces are those of one radian; in plane strain those of a unit
+// thickness. The displacement gradient of an element is its mean over the element's volume V = int w dA, with w = r or 1:
 //   F = 1 + sum_a u_a (dx_a, dy_a),   dx_a = (1/V) int dN_a/dx w dA,   hoop stretch = 1 + sum_a hoop_a u_r,a,
 //   hoop_a = (1/V) int N_a dA  (0 in plane strain).
 // The mean of what is constant is exact: rigid motions and linear fields make the F that they have, on any quad, and forces

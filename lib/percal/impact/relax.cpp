@@ -22,12 +22,12 @@ double square_frequency(const Body& body, const std::vector<Point>& old_force, d
 
 }  // namespace
 
-Relaxation relax(Body& body, const RelaxOptions& options) {
+Settling relax(Body& body, const RelaxOptions& options) {
   body.scale_velocities(0);
   body.forces();
   double dt = options.step_factor * body.stable_step(), omega = 0;
   std::vector<Point> old_force(body.nodes());
-  Relaxation end{false, 0, body.unbalance()};
+  Settling end{false, 0, body.unbalance()};
   for (; end.steps < options.most_steps; ++end.steps) {
     end.unbalance = body.unbalance();
     if (end.unbalance < options.unbalance) end.settled = true;

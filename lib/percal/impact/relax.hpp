@@ -10,7 +10,7 @@ struct RelaxOptions {
   double step_factor = 0.9;  // of the stable step
 };
 
-struct Relaxation {
+struct Settling {
   bool settled;  // false: most_steps were not enough, or the body turned inside out
   long steps;
   double unbalance;
@@ -19,6 +19,6 @@ struct Relaxation {
 // Moves the free nodes to where the forces on them balance, and leaves them at rest. Needs pressures or held nodes that have been
 // moved. Damping follows the motion: critical for the frequency that the motion itself shows (Underwood, in Computational
 // Methods for Transient Analysis, North-Holland 1983).
-Relaxation relax(Body& body, const RelaxOptions& options = {});
+Settling relax(Body& body, const RelaxOptions& options = {});
 
 }  // namespace percal

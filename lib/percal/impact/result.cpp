@@ -6,10 +6,9 @@
 
 namespace percal {
 namespace {
-constexpr std::array<std::pair<Outcome, const char*>, 5> outcomes{{{Outcome::stopped, "stopped"},
+constexpr std::array<std::pair<Outcome, const char*>, 4> outcomes{{{Outcome::stopped, "stopped"},
                                                                    {Outcome::passed_through, "passed through"},
                                                                    {Outcome::time_up, "time up"},
-                                                                   {Outcome::supersonic, "supersonic"},
                                                                    {Outcome::unstable, "unstable"}}};
 }
 

@@ -9,9 +9,8 @@ namespace percal {
 //   stopped         the sphere came to rest: depth is its deepest tip position
 //   passed_through  the tip reached the bottom of the layer: depth is at least the layer's
 //   time_up         the end time came first: depth is the deepest so far
-//   supersonic      the impact is faster than the target's waves: not run
 //   unstable        an element turned inside out, the step collapsed, energy was not conserved or a number was not finite
-enum class Outcome { stopped, passed_through, time_up, supersonic, unstable };
+enum class Outcome { stopped, passed_through, time_up, unstable };
 std::string word(Outcome outcome);
 Outcome outcome_from(const std::string& word);  // throws std::invalid_argument
 
@@ -64,8 +63,9 @@ struct ImpactResult {
   double depth = 0;    // deepest tip position, radii
   double end_time = 0;
   double end_speed = 0;
-  double sideways = 0;  // how far a free particle's centre of mass went to the right, radii
-  double turn = 0;      // how far it turned anticlockwise, rad
+  double sideways = 0;         // how far a free particle's centre of mass went to the right, radii
+  double turn = 0;             // how far it turned anticlockwise, rad
+  double target_momentum = 0;  // downwards, of the target's nodes, over particle mass times the scene's impact speed
   long elements = 0;
   long steps = 0;            // of the longer kind
   double element_steps = 0;  // elements of the rows that were advanced, live and dead, times their steps
@@ -75,6 +75,7 @@ struct ImpactResult {
   double smallest_step = 0;  // over the first
   double largest_gap = 0;    // deepest overlap of a node with the sphere, in element sizes
   EnergyLedger energy;
+  double helper_cpu_seconds = 0;  // processor time of threads besides the calling one
   std::vector<HistoryPoint> history;  // empty unless asked for
 };
 

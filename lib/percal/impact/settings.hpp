@@ -9,6 +9,8 @@ inline constexpr double distorted_jacobian = 0.05;  // an eroding scene takes ou
 inline constexpr double inverted_jacobian = 1e-3;   // below it an element counts as turned inside out
 inline constexpr double distorted_step =
     0.016;  // an eroding scene takes out an element whose step falls below this share of the first
+inline constexpr double largest_travel =
+    0.5;  // the particle, as fast as at impact, passes this share of a row in a step at most
 inline constexpr double collapsed_step = 1e-5;  // a run whose step falls below this share of the first is unstable
 inline constexpr double rest_speed = 1e-6;      // rows whose nodes are all slower (over impact speed) are at rest
 inline constexpr double near_behind = 2;  // the short step is taken from this many radii above the tip, in undeformed
@@ -27,8 +29,9 @@ inline constexpr double search_radius = 2.2;            // columns that start fu
 inline constexpr double tolerated_energy_error = 0.25;  // a run that makes or loses more energy is unstable
 inline constexpr int fewest_particle_elements = 6;      // on an elastic particle's radius
 inline constexpr double particle_step_factor = 0.8;     // share of its stable step that an elastic particle takes
-inline constexpr int particle_step_interval = 4;        // moves of an elastic particle between two looks at its step
-inline constexpr int most_particle_steps = 200;         // of an elastic particle in one of the march's: beyond, not run
+inline constexpr int particle_step_interval = 8;      // moves of an elastic particle between two looks at its step, and
+inline constexpr double particle_step_change = 0.02;  // 1 where 1/dt^2 last changed by more than this share
+inline constexpr int most_particle_steps = 200;       // of an elastic particle in one of the march's: beyond, not run
 inline constexpr long most_steps = 50'000'000;
 
 }  // namespace percal

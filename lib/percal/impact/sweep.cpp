@@ -190,6 +190,26 @@ void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
 }
 
 template <class Real>
+void Sweep<Real>::kick_by_cell(int column, int row, double kick) {
+  const int lanes = kernel_.lanes;
+  for (auto* forces : {&cell_inner_.r, &cell_inner_.z, &cell_outer_.r, &cell_outer_.z})
+    forces->resize(block_.view().stride + lanes);
+  ColumnReport report;
+  take({cell_inner_.r.data(), cell_inner_.z.data(), cell_outer_.r.data(), cell_outer_.z.data(), true}, column,
+       {row, row + lanes}, 0, report);
+  const auto& view = block_.view();
+  const auto kick_column = [&](int i, const Seam& forces) {
+    for (int j = row; j <= row + lanes; ++j) {
+      const long n = block_.at(i, j);
+      if (!held(i)) view.v_r[n] += forces.r[j] * view.inverse_mass[n] * static_cast<Real>(kick);
+      view.v_z[n] += forces.z[j] * view.inverse_mass[n] * static_cast<Real>(kick);
+    }
+  };
+  kick_column(column, cell_inner_);
+  kick_column(column + 1, cell_outer_);
+}
+
+template <class Real>
 void Sweep<Real>::add_stiff(NearCells& near) {
   const long groups = block_.view().stride / kernel_.lanes + 1;
   for (std::size_t k = 0; k < stiff_.size(); ++k)

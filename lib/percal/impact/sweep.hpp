@@ -34,10 +34,15 @@ class Sweep {
   // Nodes of the near cells, by the near forces.
   void move_near(const NearCells& near, double kick, double drift);
 
+  // Velocities of a cell's nodes by the forces of its elements alone: v += kick f/m. After a sweep, where nothing has moved.
+  void kick_by_cell(int column, int row, double kick);
+
   // From here on cells with an element whose 1/dt is above `inverse_step` are remembered; add_stiff adds those seen since the
   // last call.
   void watch(double inverse_step) { watched_ = inverse_step; }
   void add_stiff(NearCells& near);
+
+  double helper_cpu_seconds() const { return team_.helper_cpu_seconds(); }
 
   int whole_groups(int rows) const { return (rows + kernel_.lanes - 1) / kernel_.lanes * kernel_.lanes; }
 
@@ -63,6 +68,7 @@ class Sweep {
   Team team_;
   std::vector<Seam> far_seams_, near_seams_;  // of threads 1, 2, ...
   std::vector<ColumnReport> far_reports_, near_reports_;
+  Seam cell_inner_, cell_outer_;  // forces of one cell
   double watched_ = 1e30;
   std::vector<unsigned char> stiff_;  // of cells, column after column
 };

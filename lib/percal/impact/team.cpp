@@ -1,5 +1,8 @@
 #include "percal/impact/team.hpp"
 
+#include <pthread.h>
+#include <time.h>
+
 namespace percal {
 
 Team::Team(int workers) {
@@ -11,6 +14,18 @@ Team::~Team() {
   ++call_;
   call_.notify_all();
   for (auto& thread : threads_) thread.join();
+}
+
+double Team::helper_cpu_seconds() const {
+  double sum = 0;
+  for (const auto& thread : threads_) {
+    clockid_t clock{};
+    timespec now{};
+    if (pthread_getcpuclockid(const_cast<std::thread&>(thread).native_handle(), &clock) != 0) continue;
+    clock_gettime(clock, &now);
+    sum += static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+  return sum;
 }
 
 void Team::each(const std::function<void(int)>& work) {

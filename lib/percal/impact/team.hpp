@@ -17,6 +17,9 @@ class Team {
 
   int workers() const { return static_cast<int>(threads_.size()) + 1; }
 
+  // Processor time of the threads besides the calling one up to now, s.
+  double helper_cpu_seconds() const;
+
   // work(0) ... work(workers - 1), each on its own thread; returns when all are done. work must not throw.
   void each(const std::function<void(int)>& work);
 

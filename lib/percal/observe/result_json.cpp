@@ -33,6 +33,9 @@ std::string to_payload(const Evaluation& evaluation) {
               {"depth", finite(r.depth)},
               {"end_time", finite(r.end_time)},
               {"end_speed", finite(r.end_speed)},
+              {"sideways", finite(r.sideways)},
+              {"turn", finite(r.turn)},
+              {"target_momentum", finite(r.target_momentum)},
               {"elements", r.elements},
               {"steps", r.steps},
               {"element_steps", r.element_steps},
@@ -58,6 +61,9 @@ Evaluation from_payload(const std::string& payload) {
     r.depth = number(json.at("depth"));
     r.end_time = number(json.at("end_time"));
     r.end_speed = number(json.at("end_speed"));
+    r.sideways = number(json.at("sideways"));
+    r.turn = number(json.at("turn"));
+    r.target_momentum = number(json.at("target_momentum"));
     r.elements = json.at("elements").get<long>();
     r.steps = json.at("steps").get<long>();
     r.element_steps = json.at("element_steps").get<double>();

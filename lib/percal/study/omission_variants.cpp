@@ -146,9 +146,8 @@ class Planner {
     const double element = scene_.particle.radius / scene_.mesh.elements_per_radius;
     const double middle = 0.5 * std::min(depth.value_or(scene_.target.depth), scene_.target.depth);
     const double from = element * std::max(1.0, std::round(middle / element));
-    const std::string where =
-        fmt::format("from {:.3g} radii down, {} ", from / scene_.particle.radius,
-                    depth ? "the middle of the penetration" : "the middle of the layer");
+    const std::string where = fmt::format("from {:.3g} radii down, {} ", from / scene_.particle.radius,
+                                          depth ? "the middle of the penetration" : "the middle of the layer");
     add("second layer of the same", where + "on: the same material, a check of layering itself",
         [from](Scene& s) { split(s, from, 1); });
     add("second layer twice as stiff", where + "on; the factor is an illustration",
@@ -165,7 +164,9 @@ class Planner {
     about(OmissionKind::physics, "rate dependence", true);
     const double time = scene_.particle.radius / scene_.particle.speed;
     add("relaxation", "an illustration: a fifth of the modulus relaxes in the time of one radius at impact speed",
-        [time](Scene& s) { s.target.relaxation = PronySeries{{{illustrated_share, time}}}; });
+        [time](Scene& s) {
+          s.target.relaxation = PronySeries{{{illustrated_share, time}}};
+        });
   }
 
   void volumetric_laws() {
@@ -228,7 +229,8 @@ class Planner {
     const int fine = std::max(mesh + 1, static_cast<int>(std::lround(finer * mesh)));
     add(fmt::format("{} elements per radius", fine), fmt::format("for {}", mesh), [fine, mesh](Scene& s) {
       if (s.mesh.graded_columns)
-        s.mesh.graded_columns = static_cast<int>(std::lround(static_cast<double>(*s.mesh.graded_columns) * fine / mesh));
+        s.mesh.graded_columns =
+            static_cast<int>(std::lround(static_cast<double>(*s.mesh.graded_columns) * fine / mesh));
       s.mesh.elements_per_radius = fine;
     });
     add("half the time step", fmt::format("factor {:.3g}", scene_.solver.time_step_factor / 2),

@@ -112,15 +112,16 @@ void conclude(Omissions& audit) {
     if (!list.empty()) audit.conclusions.push_back(what + ": " + list);
   };
   if (!depth_of(audit.baseline)) {
-    audit.conclusions.push_back(fmt::format(
-        "the scene as it is ends as {}: there is no depth to compare with", outcomes_of(audit.baseline)));
+    audit.conclusions.push_back(
+        fmt::format("the scene as it is ends as {}: there is no depth to compare with", outcomes_of(audit.baseline)));
     return;
   }
   using Kind = OmissionKind;
   const auto with = [&](Kind kind, Effect effect) {
     return names(audit, [=](const auto& one) { return of_kind(one, kind) && one.effect == effect; });
   };
-  say("changes how the particle ends", names(audit, [](const auto& one) { return one.effect == Effect::ends_otherwise; }));
+  say("changes how the particle ends",
+      names(audit, [](const auto& one) { return one.effect == Effect::ends_otherwise; }));
   say("physics that counts here", with(Kind::physics, Effect::clear));
   say("physics that may count: more replicates would tell", with(Kind::physics, Effect::possible));
   say("physics that makes no difference beyond noise, and can stay as it is", with(Kind::physics, Effect::none));

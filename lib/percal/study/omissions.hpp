@@ -34,8 +34,8 @@ struct AuditedLeftOut {
 struct Omissions {
   Reduction reduction;  // of the baseline
   Rung baseline;
-  double spread_of_a_run = 0;             // over the depth, of all that stopped
-  std::vector<AuditedLeftOut> left_out;   // the program's own list
+  double spread_of_a_run = 0;              // over the depth, of all that stopped
+  std::vector<AuditedLeftOut> left_out;    // the program's own list
   std::vector<AuditedOmission> omissions;  // the largest effect first, those that end otherwise before all
   std::vector<SkippedVariant> skipped;
   std::vector<std::string> conclusions;

@@ -22,26 +22,6 @@ const RungError* error_of(const Ladder& ladder, const ErrorVsTime& study, const 
   return study.errors.empty() ? nullptr : &study.errors[index - study.first_used];
 }
 
-Json rung_to_json(const Rung& rung) {
-  const auto& p = rung.penetration;
-  Json outcomes = Json::array();
-  for (const Outcome outcome : p.outcomes) outcomes.push_back(word(outcome));
-  return {{"elements_per_radius", rung.elements_per_radius},
-          {"elements", rung.elements},
-          {"time_step_factor", rung.time_step_factor},
-          {"arithmetic", word_of(rung.arithmetic)},
-          {"replicates", rung.replicates},
-          {"outcome", word(p.outcome)},
-          {"outcomes", outcomes},
-          {"depth_m", optional_json(p.depth)},
-          {"depth_spread_m", optional_json(p.spread)},
-          {"depth_standard_error_m", optional_json(p.standard_error)},
-          {"depth_at_least_m", optional_json(p.at_least)},
-          {"steps", rung.steps},
-          {"element_steps", rung.element_steps},
-          {"cpu_s", rung.cpu_seconds}};
-}
-
 Json interval_to_json(const Interval& interval) {
   return {{"value", finite(interval.value)}, {"low", finite(interval.low)}, {"high", finite(interval.high)}};
 }
@@ -93,6 +73,26 @@ Json change_to_json(const Change& change) {
 std::string cell(const std::optional<double>& x) { return x && std::isfinite(*x) ? fmt::format("{:.9g}", *x) : ""; }
 
 }  // namespace
+
+Json rung_to_json(const Rung& rung) {
+  const auto& p = rung.penetration;
+  Json outcomes = Json::array();
+  for (const Outcome outcome : p.outcomes) outcomes.push_back(word(outcome));
+  return {{"elements_per_radius", rung.elements_per_radius},
+          {"elements", rung.elements},
+          {"time_step_factor", rung.time_step_factor},
+          {"arithmetic", word_of(rung.arithmetic)},
+          {"replicates", rung.replicates},
+          {"outcome", word(p.outcome)},
+          {"outcomes", outcomes},
+          {"depth_m", optional_json(p.depth)},
+          {"depth_spread_m", optional_json(p.spread)},
+          {"depth_standard_error_m", optional_json(p.standard_error)},
+          {"depth_at_least_m", optional_json(p.at_least)},
+          {"steps", rung.steps},
+          {"element_steps", rung.element_steps},
+          {"cpu_s", rung.cpu_seconds}};
+}
 
 Json advice_to_json(const Advice& advice) {
   const auto found = [&](const auto& value) { return advice.is_found ? Json(value) : Json(nullptr); };

@@ -1,0 +1,180 @@
+"""Writes docs/verification/options.md from runs of the program (about three minutes of processor time):
+
+    python3 docs/verification/make_options.py build/release/percal
+"""
+import json
+import math
+import pathlib
+import platform
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+GOLD = HERE.parent.parent / "data" / "guha2009" / "gold.toml"
+MESHES, REPLICATES = (10, 14), 5
+
+MU, ALPHA, DENSITY, SPEED = 15e6 * 8.5 / 2, 8.5, 1000, 651  # of the scene, mu as it truly is
+
+
+def stress_at(stretch):
+    """Uniaxial tension at constant volume, Pa."""
+    return 2 * MU / ALPHA * (stretch**ALPHA - stretch**(-ALPHA / 2))
+
+
+def energy_at(stretch):
+    """The same, J/m3."""
+    return 2 * MU / ALPHA**2 * (stretch**ALPHA + 2 * stretch**(-ALPHA / 2) - 3)
+
+
+def solver(*lines):
+    return lambda scene: scene + "\n[solver]\n" + "\n".join(lines) + "\n"
+
+
+def erosion(*lines):
+    old = scene_part("[target.erosion]", "[mesh]")
+    return lambda scene: scene.replace(old, "[target.erosion]\n" + "\n".join(lines) + "\n\n")
+
+
+def relaxation(share, radii):
+    """Time in a/v, a being 1 um."""
+    term = f'[[target.relaxation]]\nshare = {share}\ntime = "{radii * 1e3 / SPEED:.6g} ns"\n\n'
+    return lambda scene: must_replace(scene, "[mesh]", term + "[mesh]")
+
+
+def layered(top_um, top_mpa, below_mpa, below_density=1000):
+    def change(scene):
+        scene = must_replace(scene, 'mu = "15 MPa"', f'mu = "{top_mpa} MPa"')
+        scene = must_replace(scene, 'depth = "75 um"', f'depth = "{top_um} um"')
+        return scene + (f'\n[[below]]\nname = "lower"\ndensity = "{below_density} kg/m3"\nmu = "{below_mpa} MPa"\nalpha = 8.5\nbulk_to_shear = 50\n'
+                        f'depth = "{75 - top_um} um"\n\n[below.erosion]\nstrain = 0.7\n')
+    return change
+
+
+def must_replace(text, old, new):
+    assert old in text, old
+    return text.replace(old, new, 1)
+
+
+def scene_part(begin, end):
+    text = GOLD.read_text()
+    return text[text.index(begin):text.index(end)]
+
+
+# Name, change of the scene. The first of each group is what the group is compared with.
+GROUPS = [
+    ("Strain measure, at a limit of 0.7", [
+        ("engineering", None),
+        ("Green-Lagrange (stretch 1.55)", erosion("strain = 0.7", 'measure = "green-lagrange"')),
+        ("true (stretch 2.01)", erosion("strain = 0.7", 'measure = "true"'))]),
+    ("What erosion is judged by, at the point that uniaxial tension to a stretch of 1.7 reaches", [
+        ("strain 0.7", None),
+        (f"stress {stress_at(1.7) / 1e6:.0f} MPa", erosion(f'stress = "{stress_at(1.7) / 1e6:.6g} MPa"')),
+        (f"energy {energy_at(1.7) / 1e6:.1f} MJ/m3", erosion(f'energy = "{energy_at(1.7) / 1e3:.6g} kJ/m3"'))]),
+    ("Eroded nodes", [("released", None), ("in contact", solver('eroded_nodes = "in contact"'))]),
+    ("Hourglass control", [
+        ("springs, 0.5 mu", None),
+        ("none", solver("hourglass = 0")),
+        ("springs, 0.1 mu", solver("hourglass = 0.1")),
+        ("springs, 2 mu", solver("hourglass = 2")),
+        ("dashpots, 0.02", solver('hourglass_form = "viscosity"', "hourglass = 0.02")),
+        ("dashpots, 0.1", solver('hourglass_form = "viscosity"', "hourglass = 0.1")),
+        ("dashpots, 0.5", solver('hourglass_form = "viscosity"'))]),
+    ("Volumetric law", [
+        ("log-quadratic", None),
+        ("quadratic", solver('volumetric_law = "quadratic"')),
+        ("logarithmic", solver('volumetric_law = "logarithmic"'))]),
+    ("Contact stiffness", [("0.6", None), ("0.15", solver("contact_stiffness = 0.15")), ("2.4", solver("contact_stiffness = 2.4"))]),
+    ("Bulk viscosity, linear and quadratic", [
+        ("0.06, 1.2", None), ("0.12, 1.2", solver("linear_viscosity = 0.12")), ("0.06, 0.6", solver("quadratic_viscosity = 0.6")),
+        ("none", solver("linear_viscosity = 0", "quadratic_viscosity = 0"))]),
+    ("Rates", [("2", None), ("1", solver("rates = 1"))]),
+    ("Relaxation of half the modulus", [
+        ("none", None),
+        ("in 100 a/v", relaxation(0.5, 100)), ("in 10 a/v", relaxation(0.5, 10)), ("in a/v", relaxation(0.5, 1)), ("in 0.1 a/v", relaxation(0.5, 0.1)),
+        ("half the modulus, no relaxation", lambda scene: must_replace(scene, 'mu = "15 MPa"', 'mu = "7.5 MPa"'))]),
+    ("Layers", [
+        ("one", None),
+        ("two alike, cut at 7 um", layered(7, 15, 15)),
+        ("the first 2 um 4 times as stiff", layered(2, 60, 15)),
+        ("half as stiff below 10 um", layered(10, 15, 7.5)),
+        ("1.2 times as dense below 10 um", layered(10, 15, 15, 1200))]),
+]
+
+
+class Program:
+    def __init__(self, path, folder):
+        self.path, self.folder, self.runs, self.plain = path, folder, 0, {}
+
+    def impact(self, text, mesh):
+        """The result of one scene, from a store of its own, so that every run is timed here."""
+        self.runs += 1
+        scene = pathlib.Path(self.folder) / f"scene{self.runs}.toml"
+        scene.write_text(text)
+        done = subprocess.run([self.path, "impact", scene, "--store", f"{self.folder}/{self.runs}.store", "--threads", "1", "--json", "--elements-per-radius", str(mesh),
+                               "--replicates", str(REPLICATES)], capture_output=True, text=True)
+        if done.returncode not in (0, 3):
+            raise SystemExit(f"{text}\n{done.stderr}")
+        return json.loads(done.stdout)
+
+
+def figures(result):
+    """Depth in um with its standard error, CPU seconds a run and a million element-steps, the largest energy error."""
+    cpu = sum(run["cpu_s"] for run in result["runs"]) / len(result["runs"])
+    depth = result["depth_m"]
+    if depth is None:
+        words = ", ".join(sorted({run["outcome"] for run in result["runs"]}))
+        return {"depth": words, "mean": None, "cpu": cpu, "result": result}
+    error = result["depth_spread_m"] / math.sqrt(len(result["runs"]))
+    return {"depth": f"{depth * 1e6:.2f} ± {error * 1e6:.2f}", "mean": depth, "cpu": cpu, "result": result}
+
+
+def row(name, here, plain):
+    cells = [name]
+    for mesh in MESHES:
+        h, p = here[mesh], plain[mesh]
+        change = "" if h is p or h["mean"] is None else f"{(h['mean'] / p['mean'] - 1) * 100:+.1f} %"
+        cells += [h["depth"], change, f"{h['cpu'] / p['cpu']:.2f}"]
+    energy = here[MESHES[-1]]["result"]["energy"]
+    cells += [f"{energy['viscosity']:.2f}", f"{energy['eroded']:.2f}", f"{energy.get('relaxation', 0):.2f}", f"{here[MESHES[-1]]['result']['energy_worst_closure']:.1e}"]
+    return "| " + " | ".join(cells) + " |"
+
+
+def group_table(program, cases, plain):
+    head = ["|  |"] + [f" nf {mesh}: depth, um | change | CPU |" for mesh in MESHES] + [" viscosity | eroded | relaxation | energy error |"]
+    lines = ["".join(head), "| --- |" + " --- | --- | --- |" * len(MESHES) + " --- | --- | --- | --- |"]
+    for name, change in cases:
+        here = plain if change is None else {mesh: figures(program.impact(change(GOLD.read_text()), mesh)) for mesh in MESHES}
+        lines.append(row(name, here, plain))
+    return "\n".join(lines)
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.processor()
+
+
+def main(path):
+    with tempfile.TemporaryDirectory() as folder:
+        program = Program(path, folder)
+        plain = {mesh: figures(program.impact(GOLD.read_text(), mesh)) for mesh in MESHES}
+        level = plain[MESHES[0]]["result"].get("instruction_level", "")
+        sections = "\n\n".join(f"## {title}\n\n{group_table(program, cases, plain)}" for title, cases in GROUPS)
+    page = f"""# What each option of the target and the solver does
+
+Written by `docs/verification/make_options.py` from runs of `data/guha2009/gold.toml` (setting S: gold of 1 um radius at 651 m/s into skin of 15 MPa as given, alpha 8.5,
+erosion strain 0.7), one thing changed at a time, at 10 and 14 elements per radius (nf). Theory: [target.md](../theory/target.md).
+
+Depths are means of {REPLICATES} runs with their standard error; a change within twice the two errors together, about 3 %, says nothing. CPU is the processor time of a run over that of the plain
+one: it grows with the depth as well, and the machine (one core of a {processor()}{", " + level if level else ""}) has other users, which makes it uncertain by a tenth.
+Viscosity, eroded and relaxation are shares of the impact energy at {MESHES[-1]} elements per radius, the energy error the worst of the {REPLICATES} runs.
+
+{sections}
+"""
+    (HERE / "options.md").write_text(page)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

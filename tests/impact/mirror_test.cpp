@@ -1,0 +1,89 @@
+// A plane-strain scene and its mirror image are one run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "impact/profiles.hpp"
+#include "impact/setting_s.hpp"
+#include "percal/impact/march.hpp"
+
+namespace percal {
+namespace {
+
+void mirrored_bits(const ImpactResult& one, const ImpactResult& other) {
+  EXPECT_EQ(one.outcome, other.outcome);
+  EXPECT_EQ(one.depth, other.depth);
+  EXPECT_EQ(one.end_time, other.end_time);
+  EXPECT_EQ(one.end_speed, other.end_speed);
+  EXPECT_EQ(one.sideways, -other.sideways);
+  EXPECT_EQ(one.turn, -other.turn);
+  EXPECT_EQ(one.steps, other.steps);
+  EXPECT_EQ(one.eroded, other.eroded);
+  EXPECT_EQ(one.smallest_jacobian, other.smallest_jacobian);
+  EXPECT_EQ(one.smallest_step, other.smallest_step);
+  EXPECT_EQ(one.largest_gap, other.largest_gap);
+  EXPECT_EQ(one.energy.particle, other.energy.particle);
+}
+
+TEST(Mirror, ASkewRhombusThatIsFreeToTurnHasMirroredBits) {
+  for (const Arithmetic arithmetic : {Arithmetic::single_precision, Arithmetic::double_precision})
+    for (const int rates : {1, 2})
+      for (const int threads : {1, 3}) {
+        SCOPED_TRACE(testing::Message() << rates << " rates, " << threads << " threads");
+        Problem p = prism_impact(parallelogram({1, 0.3}, {-0.2, 0.8}));
+        auto& profile = std::get<RigidProfile>(p.particle);
+        profile.free_rotation = true;
+        p.arithmetic = arithmetic;
+        p.rates = rates;
+        p.end_time = 5;
+        const ImpactResult right = run_impact(p, threads);
+        profile = mirror_image(profile);
+        const ImpactResult left = run_impact(p, threads);
+        mirrored_bits(right, left);
+        EXPECT_GT(right.eroded, 20);
+        EXPECT_GT(std::abs(right.turn), 0.005) << "it does turn";
+        EXPECT_GT(std::abs(right.sideways), 0.003) << "and moves aside";
+      }
+}
+
+TEST(Mirror, ASymmetricProfileThatIsFreeGoesStraightDown) {
+  Problem p = prism_impact(square_on_its_corner());
+  std::get<RigidProfile>(p.particle).free_rotation = true;
+  const ImpactResult result = run_impact(p);
+  EXPECT_GT(result.depth, 2);
+  EXPECT_EQ(result.sideways, 0);
+  EXPECT_EQ(result.turn, 0);
+}
+
+// The half model has half of the elements: twice as many erode in the whole.
+void same_in_half_and_whole(Problem p) {
+  for (const Arithmetic arithmetic : {Arithmetic::single_precision, Arithmetic::double_precision})
+    for (const int rates : {1, 2}) {
+      SCOPED_TRACE(testing::Message() << rates << " rates");
+      p.arithmetic = arithmetic;
+      p.rates = rates;
+      p.whole = true;
+      const ImpactResult whole = run_impact(p);
+      p.whole = false;
+      ImpactResult half = run_impact(p);
+      EXPECT_GT(half.eroded, 10);
+      half.eroded *= 2;
+      mirrored_bits(half, whole);
+    }
+}
+
+TEST(Mirror, HalfAModelOfARhombusGivesTheDepthOfTheWholeToTheLastBit) {
+  Problem p = prism_impact(parallelogram({1, 0}, {0, 1.7}));
+  p.end_time = 6;
+  same_in_half_and_whole(p);
+}
+
+TEST(Mirror, HalfAModelOfACylinderGivesTheDepthOfTheWholeToTheLastBit) {
+  Problem p = prism_impact(square_on_its_corner());
+  p.particle = RigidSphere{};
+  p.end_time = 6;
+  same_in_half_and_whole(p);
+}
+
+}  // namespace
+}  // namespace percal
