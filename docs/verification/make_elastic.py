@@ -1,4 +1,4 @@
-"""Writes docs/verification/elastic_particle.md from runs of the program (about five minutes of processor time):
+"""Writes docs/verification/elastic_particle.md from runs of the program (about a minute of processor time):
 
     python3 docs/verification/make_elastic.py build/release/percal
 """
@@ -96,6 +96,10 @@ def cpu(result):
     return sum(r["cpu_s"] for r in result["runs"]) / len(result["runs"])
 
 
+def short(share, runs):
+    return f"{share:.1e}" if runs and share is not None else "-"
+
+
 def line(program, folder, case):
     rigid, elastic = run(program, folder, case, "rigid"), run(program, folder, case, "elastic")
     radius = {"skin": 1e-6, "gelatin": 1.59e-3}[case.scene]
@@ -105,7 +109,7 @@ def line(program, folder, case):
     runs = elastic["steps"] > 0
     return "| " + " | ".join([
         f"{case.name} into {case.scene}", f"{speed:g}", f"{figure:.2g}", depth(rigid, radius), depth(elastic, radius) if runs else "not run", difference(rigid, elastic),
-        f"{elastic['energy']['particle_elastic']:.1e}" if runs else "-", f"{elastic['energy_worst_closure']:.1e}" if runs else "-", f"{cpu(rigid):.2f}",
+        short(elastic["energy"]["particle_elastic"], runs), short(elastic["energy_worst_closure"], runs), f"{cpu(rigid):.2f}",
         f"{cpu(elastic) / cpu(rigid):.1f}" if runs else "-"]) + " |", elastic
 
 

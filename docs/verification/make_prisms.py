@@ -17,6 +17,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
+from prisms_text import HEAD, MOULD, MOULD_READING, OWN, PRINTED, RANKING, TURNED, TURNED_READING
+
 HERE = pathlib.Path(__file__).resolve().parent
 DATA = HERE.parent.parent / "data" / "guha2009"
 BALL = 1.59                  # mm: meshes are counted in elements on the radius of the thesis's ball
@@ -184,6 +186,7 @@ def shots_table(program, prism, base, variants):
         moved = sorted({kind for kind, found in others if differs(found[k], results[k])}, reverse=True)
         lines.append([f"{speeds[k]:g}", f"{shot['penetration_cm']:.2f}", f"{shot['fe_cm']:.2f}", depth_text(results[k]), percent(deviation(results[k], shot["fe_cm"])),
                       percent(deviation(results[k], shot["penetration_cm"])), *(depth_text(found[k]) for _, found in others), f"not converged: {', '.join(moved)}" if moved else "yes"])
+    lines.append(["mean change, %", *[""] * 5, *(percent(statistics.mean(cm(a) / cm(b) - 1 for a, b in zip(found, results))) for _, found in others), ""])
     header = ["m/s", "measured", "LS-DYNA", "percal, 3 runs", "to LS-DYNA, %", "to measured, %", *(title for title, _, _ in variants), f"within {100 * TOLERATED:.0f} %"]
     return table(header, lines), results, {title: found for (title, _, _), (_, found) in zip(variants, others)}
 
@@ -279,8 +282,9 @@ def ranking(program, square, rhombus, strains, ball_strain, density):
     wide = program.impacts([mould_scene(rhombus, density, strain=strains[1], **rhombic), mould_scene(square, density, strain=strains[0], **small), ball_scene(2.78, 40, ball_strain, density, mould=True)], 3)
     order = lambda depths: " > ".join(name for _, name in sorted(zip(depths, ("rhombus", "square", "sphere")), reverse=True))
     lines = [[name, f"{printed[name]:.2f}", depth_text(a), depth_text(b)] for name, a, b in zip(("rhombus 60", "square 45", "sphere"), own, wide)]
-    lines.append(["order", order(printed[name] for name in ("rhombus 60", "square 45", "sphere")), order(map(cm, own)), order(map(cm, wide))])
-    return table(["shape", "thesis, cm", "thesis's domain, 464 kg/m3", f"mould, {density} kg/m3"], lines)
+    orders = order(printed[name] for name in ("rhombus 60", "square 45", "sphere")), order(map(cm, own)), order(map(cm, wide))
+    lines.append(["order", *orders])
+    return table(["shape", "thesis, cm", "thesis's domain, 464 kg/m3", f"mould, {density} kg/m3"], lines), *orders
 
 
 def orientations(program, square, strain, density, mesh=7):
@@ -295,95 +299,6 @@ def orientations(program, square, strain, density, mesh=7):
         turns = [math.degrees(run["turn_rad"]) for run in r["runs"]]
         lines.append([str(angle), rotation, depth_text(r), ", ".join(f"{t:+.1f}" for t in turns) if rotation == "free" else "held"])
     return table(["turned by, deg", "rotation", "depth, cm", "turned further in the three runs, deg"], lines)
-
-
-HEAD = """# Prisms in plane strain
-
-Written by `docs/verification/make_prisms.py` from `percal impact` (percal {version}, {level}, {processor}, one thread a run), from `data/guha2009/square.toml` and `rhombus.toml`: the steel prisms of
-Guha 2009, chapter 5, into 12 wt% gelatin of 113 kPa (as printed, alpha 8.5). A half model is computed; for the square it has the bits of the whole. Depths in cm. ± is the
-standard error of three runs at speeds times 1, 1.001 and 0.999; a figure without it is one run, which scatters by 1 to 3 %. W is the distance to the wall, which is fixed; h the side of the
-square elements beside the middle line. A depth that W or h changes by more than {tolerated:.0f} % is marked "not converged", with what does it.
-
-"""
-
-OWN = """## In the thesis's own domain
-
-The wall stands at 7.95 mm, five radii of the thesis's 1.59 mm ball, the layer is 75 of them deep and has the model density of 464 kg/m3; the bottom is free. The mesh is the balls': {mesh} square columns
-on 1.59 mm, {half} wider ones to the wall, though the prisms reach beyond 1.59 mm. K is 50 mu. Nothing is fitted for the square, whose erosion strain is the thesis's 0.51.
-
-### Square, erosion strain 0.51
-
-{square}
-### Rhombus, erosion strain 0.57
-
-Its own 0.975 is the next section's; 0.57 is the value with which the planning study came near LS-DYNA.
-
-{rhombus}
-### What this is worth
-
-On the balls' mesh the unfitted square agrees with LS-DYNA, but neither its depths nor the rhombus's are converged. Columns that stay square to the half width change the square's by up to
-{finer:.0f} %: between 1.59 mm and the edge of the particle the balls' mesh has elements so wide that they stiffen the target. The wall decides more than anything else: at four times its distance the
-square goes {wider:.1f} times as deep at 50 m/s. A prism in plane strain has to push the gelatin aside, and K = 50 mu between two rigid walls 15.9 mm apart leaves little room for that beside a
-particle {across:.1f} mm wide. The agreement is one with a boundary condition and a mesh, and validates neither code.
-
-"""
-
-PRINTED = """## The rhombus at its printed erosion strain, 0.975, and 40 m/s
-
-LS-DYNA finds 3.46 cm, 3.44 cm were measured. One run for each mesh of the thesis's own domain; the energies are shares of the impact energy.
-
-{ladder}
-
-What is explained: on the coarsest mesh no element reaches a stretch of 1.975, nothing erodes, and the rhombus rests on a dent that is shallower than itself. A sharp tip in contact strains the elements before it the
-more the smaller they are, so whether anything erodes is the mesh's choice and not the material's. Where a channel is eroded, the energy of what is deleted belongs to a strip about an element wide, and no length
-scale holds it when the elements shrink: the depth goes on rising with the mesh. Where the energy goes: up to {viscosity:.0f} % into bulk viscosity, for an element that goes at a stretch near 2 and alpha 8.5 lets its
-neighbours recoil, and viscosity takes what rings. It is not what stops the particle: with both viscosity terms off at 30 elements the depth is {inviscid} cm instead of {viscous}, and the energy is found as kinetic and elastic instead. A softer
-contact (0.156 for 0.6) gives {soft} cm there.
-
-What stays open: the finest mesh here, the thesis's element size, reaches {finest} cm, {short:.0f} % short of LS-DYNA, and nothing shows that the sequence ends. Erosion strain 0.975 does not carry over to this
-solver; 0.57 does at 14 elements, in a domain whose wall decides. The thesis states neither its strain measure nor how its mesh was laid at the tip, so that why LS-DYNA needed 0.975 is not answered.
-
-"""
-
-MOULD = """## In the mould
-
-The gelatin was cast 75 mm wide and 100 mm deep: wall at 37.5 mm, bottom held. Square columns go to the half width of the prism, then each is wider than the last by {growth:.0f} %; {mesh} elements on 1.59 mm (h). 464 kg/m3 was
-chosen in the thesis for similarity with gold in skin; the gelatin that was shot at has 1010 kg/m3, which is what is physical and comes first. K is 100 mu there, for a Mach number below 0.3, and 50 mu at 464 kg/m3. For each shape the erosion
-strain is found anew at the thesis's own calibration shot (square 50 m/s, rhombus 40 m/s: measured depth, mean of three runs, bisection to 1 % or to 0.002 of strain), and the other five shots are predicted.
-
-{tables}
-What else the calibrated shots at 1010 kg/m3 feel, three runs each:
-
-{settings}
-
-{reading}
-"""
-
-RANKING = """## Equal mass at 40 m/s (Table 5-3)
-
-0.7027 g each: the rhombus as it is, a square of 5.64 mm, a steel ball of 2.78 mm radius. In the thesis's domain with 0.57, 0.51 and 0.7; in the mould with the strains found above and, for the ball, {ball:g}, found the same way
-at the 3.18 mm ball's shot of 83 m/s (4.04 cm). The ball is axisymmetric, 10 elements on its radius, its wall at five radii in the thesis's domain. Three runs each; the prisms are as little converged as above. The thesis's column is itself computed, from
-its lines of depth over speed.
-
-{table}
-
-{verdict}
-
-"""
-
-TURNED = """## Any orientation
-
-The square at 50 m/s into the mould (1010 kg/m3, erosion strain {strain:g}, 7 elements on 1.59 mm, whole model), turned anticlockwise before the impact, with its rotation held or free; free, it may also move sideways. Three runs each, on one mesh and one wall.
-
-{table}
-
-{reading}
-"""
-
-
-MOULD_READING = ""
-RANKING_READING = ""
-TURNED_READING = ""
 
 
 def processor():
@@ -415,7 +330,10 @@ def mould_section(program, square, rhombus):
 
 def ranking_section(program, square, rhombus, strains):
     ball_strain = calibrate(program, 4.04, lambda strain: ball_scene(1.59, 83, strain, 1010, mould=True))
-    return RANKING.format(ball=ball_strain, table=ranking(program, square, rhombus, strains, ball_strain, 1010), verdict=RANKING_READING)
+    rows, printed, own, wide = ranking(program, square, rhombus, strains, ball_strain, 1010)
+    kept = lambda order: "reproduced" if order == printed else "not reproduced"
+    verdict = f"The thesis's ranking is {kept(own)} in its own domain and {kept(wide)} in the mould."
+    return RANKING.format(ball=ball_strain, table=rows, verdict=verdict)
 
 
 def turned_section(program, square, strain):

@@ -1,5 +1,5 @@
-// Targets that are more than one layer of the plain solid: volumetric laws, kinds of erosion, hourglass viscosity, and the general kernel as
-// such. Relaxation and layers have files of their own.
+// Targets that are more than one layer of the plain solid: volumetric laws, kinds of erosion, hourglass viscosity, and
+// the general kernel as such. Relaxation and layers have files of their own.
 #include <gtest/gtest.h>
 
 #include <random>

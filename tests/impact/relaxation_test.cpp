@@ -102,8 +102,8 @@ TEST(Relaxation, AnElementThatGoesDoesHalfTheWorkOfItsLastStep) {
   EXPECT_NEAR(report.relaxing_work / specimen.volume(), 0.5 * overstress * (last * last - l * l) / 2, 1e-9);
 }
 
-// What has relaxed no longer takes its share off the modulus of P: a compressed element gets stiffer by it, by the largest principal
-// value of what is missing.
+// What has relaxed no longer takes its share off the modulus of P: a compressed element gets stiffer by it, by the
+// largest principal value of what is missing.
 TEST(Relaxation, TheStableStepFollowsTheStressThatIsLeft) {
   const Problem p = relaxing({{0.6, 1}});
   Specimen<> specimen(p);

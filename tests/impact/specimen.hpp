@@ -1,4 +1,5 @@
-// A piece of a target under prescribed strain, looked at by the general kernel: what options of the solid are tested on.
+// A piece of a target under prescribed strain, looked at by the general kernel: what options of the solid are tested
+// on.
 #pragma once
 #include <cmath>
 

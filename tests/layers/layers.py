@@ -20,7 +20,7 @@ MAY_SEE = {
     "invert": ["base", "math"],
     "card": ["base", "units", "text", "material"],
     "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store"],
-    "study": ["base", "math", "scene", "problem", "impact", "observe", "store", "campaign"],
+    "study": ["base", "math", "mesh", "scene", "problem", "impact", "observe", "store", "campaign"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign"],
 }
 

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "percal/mesh/graded.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/omissions_json.hpp"
 
@@ -84,8 +86,8 @@ TEST(Omissions, EachVariantIsAnotherProblemThatDiffersInWhatItSays) {
       if (variant.name == name) return reduce(variant.scene).problem;
     throw std::runtime_error(name);
   };
-  EXPECT_DOUBLE_EQ(std::get<ElasticSphere>(problem("elastic particle").particle).youngs_modulus * 1000 * 651 * 651,
-                   79e9);
+  EXPECT_NEAR(std::get<ElasticSphere>(problem("elastic particle").particle).youngs_modulus * 1000 * 651 * 651, 79e9, 10)
+      << "to 12 digits";
   EXPECT_EQ(problem("width x 2").width, 10);
   EXPECT_EQ(problem("thickness x 1.5").depth, 112.5);
   EXPECT_EQ(problem("K/mu x 4").bulk_ratio, 200);
@@ -97,9 +99,18 @@ TEST(Omissions, EachVariantIsAnotherProblemThatDiffersInWhatItSays) {
 TEST(Omissions, AWiderLayerKeepsTheGradingOfItsColumns) {
   const Scene scene = gold();
   const OmissionPlan plan = plan_omissions(scene, reduce(scene), std::nullopt);
+  const auto growth = [](const Problem& p) {
+    const auto x = graded_mesh({.elements_per_radius = p.elements_per_radius,
+                                .fine_width = p.fine_width,
+                                .graded_columns = p.graded_columns,
+                                .width = p.width,
+                                .depth = 1})
+                       .radius;
+    const std::size_t last = x.size() - 1;
+    return (x[last] - x[last - 1]) / (x[last - 1] - x[last - 2]);
+  };
   const auto wide = std::ranges::find(plan.variants, "width x 2", &OmissionVariant::name);
-  EXPECT_GT(wide->scene.mesh.graded_columns.value(), reduce(scene).problem.graded_columns);
-  EXPECT_LT(wide->scene.mesh.graded_columns.value(), 2 * reduce(scene).problem.graded_columns) << "they go on growing";
+  EXPECT_NEAR(growth(reduce(wide->scene).problem), growth(reduce(scene).problem), 0.05);
 }
 
 TEST(Omissions, TheSecondLayerBeginsInTheMiddleOfThePenetrationAndTheTargetStaysAsDeep) {

@@ -43,8 +43,8 @@ std::vector<Layer> layers_of(const Problem& p) {
   return layers;
 }
 
-// Per density. Where even that wave is slower than the particle, nodes would pass through its springs: then the particle's speed
-// counts.
+// Per density. Where even that wave is slower than the particle, nodes would pass through its springs: then the
+// particle's speed counts.
 double contact_modulus(const Problem& p, const Layer& layer) {
   return std::max((reference_bulk_ratio + 4.0 / 3) * layer.mu / layer.density, p.speed_factor * p.speed_factor);
 }

@@ -16,11 +16,11 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& problem);
 std::vector<double> contact_stiffness_ratios(const Problem& problem);
 
 struct StepLimits {
-  double
-      first_step;  // stable step of the undeformed square element, the least of all layers, without the time-step factor
+  // Stable step of the undeformed square element, the least of all layers, without the time-step factor.
+  double first_step;
   double time_step_factor;  // the problem's, or less where the impact is supersonic
-  double
-      contact_stiffness_per_mass;  // kappa/dt_ref^2, dt_ref the first step at K = 50 mu: neither K nor the factor enters; first layer
+  // kappa/dt_ref^2, dt_ref the first step at K = 50 mu: neither K nor the factor enters. Of the first layer.
+  double contact_stiffness_per_mass;
   double largest_contact_stiffness_per_mass;  // of all layers
 };
 StepLimits step_limits(const Problem& problem);

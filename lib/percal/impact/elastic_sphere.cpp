@@ -141,7 +141,8 @@ void ElasticSphereRun::kick(const Contact& contact, double time) {
     const double mass = body_.mass(node);
     for (int d = 0; d < 2; ++d)
       if (!body_.held(node, d)) blow_[node][d] += time * contact.loads[b].force[d] / mass;
-    spring_stiffness_per_mass_ = std::max(spring_stiffness_per_mass_, contact.loads[b].stiffness / mass);
+    spring_stiffness_per_mass_ =
+        std::max(spring_stiffness_per_mass_, particle_spring_margin * contact.loads[b].stiffness / mass);
   }
 }
 

@@ -61,7 +61,7 @@ class ElasticSphereRun {
   Overlap overlap(double x, double z) const;
   PointVelocity velocity_at(double x, double z) const;
   ParticleEnergy energy() const;
-  // Largest so far, of the contact springs on a node of the outline over its mass.
+  // Largest so far, of the contact springs on a node of the outline over its mass, with a margin.
   double spring_stiffness_per_mass() const { return spring_stiffness_per_mass_; }
   // Why the run cannot go on, in words; empty where it can.
   const std::string& failure() const { return failure_; }

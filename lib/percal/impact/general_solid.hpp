@@ -1,5 +1,5 @@
-// A target that is more than one layer of the plain solid: layers, other volumetric laws, stress that relaxes, erosion by stress or
-// energy, viscous hourglass control. The verbs are those of UniformSolid. docs/theory/target.md.
+// A target that is more than one layer of the plain solid: layers, other volumetric laws, stress that relaxes, erosion
+// by stress or energy, viscous hourglass control. The verbs are those of UniformSolid. docs/theory/target.md.
 #pragma once
 #include "percal/impact/relaxing_stress.hpp"
 #include "percal/impact/uniform_solid.hpp"
@@ -100,7 +100,8 @@ class GeneralSolid {
     stiffer_ = larger(largest_principal(kirchhoff(F, more)), V{});
   }
 
-  // Relaxation leaves the modulus of a fast change alone, but not the stress that the modulus of P has in it: target.md (10).
+  // Relaxation leaves the modulus of a fast change alone, but not the stress that the modulus of P has in it: target.md
+  // (10).
   PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
                                            const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
     const V volumetric = volumetric_stiffness(view_.pressure_law, s.jacobian, constants_.bulk);

@@ -1,4 +1,5 @@
-// Forces of one column of elements, a group of lanes at a time. Compiled once for each instruction level (kernel_level.cpp).
+// Forces of one column of elements, a group of lanes at a time. Compiled once for each instruction level
+// (kernel_level.cpp).
 #pragma once
 #include "percal/impact/general_solid.hpp"
 #include "percal/impact/uniform_solid.hpp"
@@ -12,8 +13,8 @@ PERCAL_INLINE V first_lane(RealOf<V> x) {
   return v;
 }
 
-// Corners: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner lower (i, j+1). What the solid is made of
-// answers through `solid`: UniformSolid or GeneralSolid.
+// Corners: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner lower (i, j+1). What the solid
+// is made of answers through `solid`: UniformSolid or GeneralSolid.
 template <class Real, class Solid>
 PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces,
                                     int column, Rows rows, const ColumnShape& shape, double previous_step,

@@ -114,9 +114,7 @@ class March {
   // Velocities stand half a last step behind, a long one for what was far, a short one for what was near; the next kick takes it that
   // everything was what it is now. What has changed gets the difference.
   void settle_those_that_changed() {
-    const double late = 0.5 * (last_far_step_ - last_step_);
-    near_.differences(
-        before_, [&](int column, int row) { sweep_.kick_by_cell(column, row, near_.has(column, row) ? late : -late); });
+    sweep_.settle(near_, before_, 0.5 * (last_far_step_ - last_step_));
     before_ = near_;
   }
 

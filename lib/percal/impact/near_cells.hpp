@@ -19,11 +19,11 @@ class NearCells {
 
   bool empty() const { return count_ == 0; }
   bool has(int column, int row) const { return cells_[index(column, row)] != 0; }
-  // Calls changed(column, row) for every cell that is near here or there but not both; row is its first.
+  // Calls changed(row) for every cell of a column that is near here or there but not both; row is its first.
   template <class Changed>
-  void differences(const NearCells& other, Changed changed) const {
-    for (std::size_t k = 0; k < cells_.size(); ++k)
-      if (cells_[k] != other.cells_[k]) changed(static_cast<int>(k / groups_), static_cast<int>(k % groups_) * lanes_);
+  void differences(const NearCells& other, int column, Changed changed) const {
+    for (int g = 0; g < groups_; ++g)
+      if (cells_[index(column, g * lanes_)] != other.cells_[index(column, g * lanes_)]) changed(g * lanes_);
   }
   double elements_in_all() const { return static_cast<double>(count_) * lanes_; }
   // Runs of near rows, from top to bottom: of a column of elements, of a column of nodes.

@@ -60,7 +60,7 @@ Inside Outline::inside(const Point& point) const {
   Inside found;
   const auto take = [&](double gap, const WayOut& way) {
     if (!(gap > 0)) return;
-    const bool is_nearer = found.ways == 0 || (in_polygon ? gap < found.gap : gap > found.gap);
+    const bool is_nearer = found.ways == 0 || gap < found.gap;
     if (!is_nearer && (gap != found.gap || found.ways == 2)) return;
     if (is_nearer) found.ways = 0;
     found.gap = gap;

@@ -1,5 +1,5 @@
-// Stress that relaxes: finite linear viscoelasticity (J. C. Simo, Comput. Methods Appl. Mech. Eng. 60, 1987, 153), on the isochoric second
-// Piola stress of the instantaneous solid. docs/theory/target.md (6) to (9).
+// Stress that relaxes: finite linear viscoelasticity (J. C. Simo, Comput. Methods Appl. Mech. Eng. 60, 1987, 153), on
+// the isochoric second Piola stress of the instantaneous solid. docs/theory/target.md (6) to (9).
 #pragma once
 #include "percal/impact/uniform_solid.hpp"
 
@@ -90,8 +90,8 @@ class RelaxingStress {
     relaxing_share_ = Real(sum);
   }
 
-  // What relaxation has made of a second Piola stress: sum H_k - (sum g_k) S, and the work of the H_k since the last look, all of it
-  // and what is left of it when they vanish at its end (per undeformed volume).
+  // What relaxation has made of a second Piola stress: sum H_k - (sum g_k) S, and the work of the H_k since the last
+  // look, all of it and what is left of it when they vanish at its end (per undeformed volume).
   struct Change {
     Symmetric<V> stress;
     V work, work_if_gone;

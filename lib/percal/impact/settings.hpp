@@ -31,6 +31,7 @@ inline constexpr int fewest_particle_elements = 6;      // on an elastic particl
 inline constexpr double particle_step_factor = 0.8;     // share of its stable step that an elastic particle takes
 inline constexpr int particle_step_interval = 8;      // moves of an elastic particle between two looks at its step, and
 inline constexpr double particle_step_change = 0.02;  // 1 where 1/dt^2 last changed by more than this share
+inline constexpr double particle_spring_margin = 4;   // on the springs of an elastic particle's nodes, in the step
 inline constexpr int most_particle_steps = 200;       // of an elastic particle in one of the march's: beyond, not run
 inline constexpr long most_steps = 50'000'000;
 

@@ -55,8 +55,8 @@ Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contac
 
 template <class Real>
 void Block<Real>::allocate(int lanes, const Problem& problem) {
-  // Room for one group of lanes beyond the last node, and a stride that is no multiple of a page, where columns would fight
-  // for the same cache lines.
+  // Room for one group of lanes beyond the last node, and a stride that is no multiple of a page, where columns would
+  // fight for the same cache lines.
   constexpr int line = 64 / static_cast<int>(sizeof(Real));
   int stride = (mesh_.rows + 2 * lanes + 1 + line - 1) / line * line;
   if (stride * sizeof(Real) % 4096 == 0) stride += line;

@@ -17,8 +17,8 @@ struct LayerRows {
   double contact = 1;  // contact stiffness per mass over the first layer's
 };
 
-// Columns of nodes and elements (kernel.hpp, FieldsView) with their storage. Masses are lumped, a quarter of each element's to
-// each corner, and stay on the nodes when elements go.
+// Columns of nodes and elements (kernel.hpp, FieldsView) with their storage. Masses are lumped, a quarter of each
+// element's to each corner, and stay on the nodes when elements go.
 template <class Real>
 class Block {
  public:
@@ -38,8 +38,8 @@ class Block {
   double mass(int column, int row) const { return column_mass_[column] * row_density_[row]; }
   std::size_t bytes() const { return bytes_; }
 
-  // Takes an element out; calls freed(node column, node row) for each corner that thereby loses its last element. Such nodes
-  // meet the particle no more unless `keep_contact`.
+  // Takes an element out; calls freed(node column, node row) for each corner that thereby loses its last element. Such
+  // nodes meet the particle no more unless `keep_contact`.
   template <class Freed>
   void take_out(int column, int row, bool keep_contact, Freed freed) {
     view_.alive[at(column, row)] = 0;

@@ -189,24 +189,47 @@ void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
   });
 }
 
+// Column by column, and each node the sum of its two columns, so that the mirrored scene has mirrored bits.
 template <class Real>
-void Sweep<Real>::kick_by_cell(int column, int row, double kick) {
-  const int lanes = kernel_.lanes;
-  for (auto* forces : {&cell_inner_.r, &cell_inner_.z, &cell_outer_.r, &cell_outer_.z})
-    forces->resize(block_.view().stride + lanes);
-  ColumnReport report;
-  take({cell_inner_.r.data(), cell_inner_.z.data(), cell_outer_.r.data(), cell_outer_.z.data(), true}, column,
-       {row, row + lanes}, 0, report);
+void Sweep<Real>::settle(const NearCells& near, const NearCells& before, double late) {
+  const int columns = block_.mesh().columns(), lanes = kernel_.lanes;
   const auto& view = block_.view();
-  const auto kick_column = [&](int i, const Seam& forces) {
-    for (int j = row; j <= row + lanes; ++j) {
-      const long n = block_.at(i, j);
-      if (!held(i)) view.v_r[n] += forces.r[j] * view.inverse_mass[n] * static_cast<Real>(kick);
-      view.v_z[n] += forces.z[j] * view.inverse_mass[n] * static_cast<Real>(kick);
-    }
-  };
-  kick_column(column, cell_inner_);
-  kick_column(column + 1, cell_outer_);
+  for (Seam* forces : {&cell_inner_, &cell_outer_, &changed_inner_, &changed_outer_, &changed_before_}) {
+    forces->r.assign(view.stride + lanes, 0);
+    forces->z.assign(view.stride + lanes, 0);
+  }
+  bool changed_before = false;
+  for (int i = 0; i <= columns; ++i) {
+    bool changed = false;
+    if (i < columns)
+      near.differences(before, i, [&](int row) {
+        changed = true;
+        ColumnReport report;
+        take({cell_inner_.r.data(), cell_inner_.z.data(), cell_outer_.r.data(), cell_outer_.z.data(), true}, i,
+             {row, row + lanes}, 0, report);
+        const Real sign = near.has(i, row) ? 1 : -1;
+        for (int j = row; j <= row + lanes; ++j) {
+          changed_inner_.r[j] += sign * cell_inner_.r[j];
+          changed_inner_.z[j] += sign * cell_inner_.z[j];
+          changed_outer_.r[j] += sign * cell_outer_.r[j];
+          changed_outer_.z[j] += sign * cell_outer_.z[j];
+        }
+      });
+    if (changed || changed_before)
+      for (int j = 0; j < view.stride; ++j) {
+        const long n = block_.at(i, j);
+        const Real kick = view.inverse_mass[n] * static_cast<Real>(late);
+        if (!held(i)) view.v_r[n] += (changed_before_.r[j] + changed_inner_.r[j]) * kick;
+        view.v_z[n] += (changed_before_.z[j] + changed_inner_.z[j]) * kick;
+      }
+    std::swap(changed_before_, changed_outer_);
+    if (changed || changed_before)
+      for (Seam* forces : {&changed_inner_, &changed_outer_}) {
+        std::fill(forces->r.begin(), forces->r.end(), Real(0));
+        std::fill(forces->z.begin(), forces->z.end(), Real(0));
+      }
+    changed_before = changed;
+  }
 }
 
 template <class Real>

@@ -34,8 +34,9 @@ class Sweep {
   // Nodes of the near cells, by the near forces.
   void move_near(const NearCells& near, double kick, double drift);
 
-  // Velocities of a cell's nodes by the forces of its elements alone: v += kick f/m. After a sweep, where nothing has moved.
-  void kick_by_cell(int column, int row, double kick);
+  // Cells that are near and were not get what their forces do to the velocities in `late`; those that were and are not lose it.
+  // After a sweep, where nothing has moved since.
+  void settle(const NearCells& near, const NearCells& before, double late);
 
   // From here on cells with an element whose 1/dt is above `inverse_step` are remembered; add_stiff adds those seen since the
   // last call.
@@ -68,7 +69,7 @@ class Sweep {
   Team team_;
   std::vector<Seam> far_seams_, near_seams_;  // of threads 1, 2, ...
   std::vector<ColumnReport> far_reports_, near_reports_;
-  Seam cell_inner_, cell_outer_;  // forces of one cell
+  Seam cell_inner_, cell_outer_, changed_inner_, changed_outer_, changed_before_;  // of settle()
   double watched_ = 1e30;
   std::vector<unsigned char> stiff_;  // of cells, column after column
 };

@@ -1,6 +1,7 @@
-// The plain solid: one layer of the compressible Ogden solid, elastic, with hourglass springs, eroding by strain or not at all. Its
-// constants are numbers that the compiler keeps in registers, and its verbs are the formulas of element.hpp. What else a target can be is
-// general_solid.hpp. Both answer to the same verbs, in the order in which internal_forces.hpp asks.
+// The plain solid: one layer of the compressible Ogden solid, elastic, with hourglass springs, eroding by strain or not
+// at all. Its constants are numbers that the compiler keeps in registers, and its verbs are the formulas of
+// element.hpp. What else a target can be is general_solid.hpp. Both answer to the same verbs, in the order in which
+// internal_forces.hpp asks.
 #pragma once
 #include "percal/impact/element.hpp"
 #include "percal/impact/kernel.hpp"

@@ -1,5 +1,5 @@
-// Energies U(J) of a change of volume, each with U'' = K at J = 1: what they give to stress and to the stable step. C is a number
-// or lanes. docs/theory/target.md (4).
+// Energies U(J) of a change of volume, each with U'' = K at J = 1: what they give to stress and to the stable step. C
+// is a number or lanes. docs/theory/target.md (4).
 #pragma once
 #include "percal/impact/kernel.hpp"
 #include "percal/impact/lanes.hpp"
