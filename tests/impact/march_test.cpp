@@ -1,6 +1,6 @@
 #include "percal/impact/march.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
@@ -79,7 +79,7 @@ TEST(March, EnergyThatIsMadeIsNotPassedOffAsAResult) {
     const ImpactResult result = run_impact(p);
     caught += result.reason == "energy was not conserved";
     EXPECT_EQ(result.outcome == Outcome::unstable, !result.reason.empty()) << factor;
-    EXPECT_TRUE(result.outcome == Outcome::unstable || std::abs(result.energy.closure()) < 0.25) << factor;
+    EXPECT_TRUE(result.outcome == Outcome::unstable || std::abs(result.energy.closure()) < 0.05) << factor;
   }
   EXPECT_GE(caught, 1);
 }
@@ -87,11 +87,23 @@ TEST(March, EnergyThatIsMadeIsNotPassedOffAsAResult) {
 TEST(March, AFixedBottomStopsWhatAFreeOneLetsThrough) {
   Problem p = dent();
   p.alpha = 8.5;
-  p.depth = 4;
+  p.depth = 2;
+  p.contact_stiffness = 20;  // or the sphere meets the held nodes of the bottom with springs that let them in
+  p.time_step_factor = 0.5;
   p.end_time = 1000;
   EXPECT_EQ(run_impact(p).outcome, Outcome::passed_through);
   p.bottom = Bottom::fixed;
   EXPECT_EQ(run_impact(p).outcome, Outcome::stopped);
+}
+
+TEST(March, ANodeFarInsideTheSphereIsNoContactAnyMore) {
+  Problem p = dent();
+  p.alpha = 8.5;
+  p.contact_stiffness = 0.002;
+  p.end_time = 1000;
+  const ImpactResult result = run_impact(p);
+  EXPECT_EQ(result.outcome, Outcome::unstable);
+  EXPECT_THAT(result.reason, testing::HasSubstr("contact springs are too soft"));
 }
 
 TEST(March, ABottomFarBelowChangesNoBit) {
@@ -125,6 +137,7 @@ TEST(March, ElementsTakenOutForTheirDistortionAreCountedApart) {
   Problem p = setting_s(5);
   p.alpha = -6;
   p.pi4 = 20;
+  p.contact_stiffness = 4;
   p.end_time = 20;
   p.erosion = StrainErosion{100};
   const ImpactResult result = run_impact(p);

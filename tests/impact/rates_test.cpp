@@ -53,6 +53,7 @@ TEST(Rates, DistortedElementsEndNoRunOfEither) {
     Problem p = setting_s(5);
     p.alpha = -6;
     p.pi4 = 20;
+    p.contact_stiffness = 4;
     p.end_time = 10;
     p.erosion = StrainErosion{2};
     p.rates = rates;

@@ -197,6 +197,8 @@ class March {
     if (std::abs(particle_.speed()) > 10 * problem_.speed_factor)
       return end(Outcome::unstable, "the particle is ten times faster than at impact");
     if (const std::string failure = particle_.failure(); !failure.empty()) return end(Outcome::unstable, failure);
+    if (result_.largest_gap * block_.mesh().row_height > lost_contact)
+      return end(Outcome::unstable, "a node is half a radius inside the particle: its contact springs are too soft");
     if (result_.steps >= most_steps) return end(Outcome::time_up, "");
     if (speed_now() <= 0) return end(Outcome::stopped, "");
     if (particle_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
