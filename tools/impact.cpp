@@ -120,16 +120,19 @@ Json to_json(const Findings& f) {
 
 void print_energy(const EnergyLedger& e) {
   fmt::print("  energy, shares of the impact energy (mean of the runs)\n");
-  const std::pair<const char*, double> rows[] = {{"sphere, kinetic", e.particle},
+  const std::pair<const char*, double> rows[] = {{"particle, kinetic", e.particle},
+                                                 {"particle, elastic", e.particle_elastic},
                                                  {"nodes with elements, kinetic", e.live_kinetic},
                                                  {"freed mass, kinetic", e.freed_mass},
                                                  {"elastic", e.elastic},
                                                  {"hourglass springs", e.hourglass},
                                                  {"bulk viscosity", e.viscosity},
+                                                 {"relaxation", e.relaxation},
                                                  {"eroded elements", e.eroded},
                                                  {"contact springs", e.contact},
                                                  {"contact springs dropped at erosion", e.contact_dropped}};
-  for (const auto& [name, share] : rows) fmt::print("    {:<36}{:8.4f}\n", name, share);
+  for (const auto& [name, share] : rows)
+    if (share != 0) fmt::print("    {:<36}{:8.4f}\n", name, share);  // what the scene does not have is not listed
   fmt::print("    {:<36}{:8.4f}\n", "sum", e.sum());
 }
 
