@@ -189,21 +189,23 @@ void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
   });
 }
 
-// Column by column, and each node the sum of its two columns, so that the mirrored scene has mirrored bits.
+// Column by column, and each node the sum of its two columns, so that the mirrored scene has mirrored bits. Between calls the sums
+// are zero.
 template <class Real>
 void Sweep<Real>::settle(const NearCells& near, const NearCells& before, double late) {
   const int columns = block_.mesh().columns(), lanes = kernel_.lanes;
   const auto& view = block_.view();
   for (Seam* forces : {&cell_inner_, &cell_outer_, &changed_inner_, &changed_outer_, &changed_before_}) {
-    forces->r.assign(view.stride + lanes, 0);
-    forces->z.assign(view.stride + lanes, 0);
+    forces->r.resize(view.stride + lanes);
+    forces->z.resize(view.stride + lanes);
   }
-  bool changed_before = false;
+  const Rows none{view.stride, 0};
+  Rows span_before = none;  // rows of nodes that the column before has added to
   for (int i = 0; i <= columns; ++i) {
-    bool changed = false;
+    Rows span = none;
     if (i < columns)
       near.differences(before, i, [&](int row) {
-        changed = true;
+        span = {std::min(span.begin, row), row + lanes + 1};
         ColumnReport report;
         take({cell_inner_.r.data(), cell_inner_.z.data(), cell_outer_.r.data(), cell_outer_.z.data(), true}, i,
              {row, row + lanes}, 0, report);
@@ -215,20 +217,20 @@ void Sweep<Real>::settle(const NearCells& near, const NearCells& before, double 
           changed_outer_.z[j] += sign * cell_outer_.z[j];
         }
       });
-    if (changed || changed_before)
-      for (int j = 0; j < view.stride; ++j) {
-        const long n = block_.at(i, j);
-        const Real kick = view.inverse_mass[n] * static_cast<Real>(late);
-        if (!held(i)) view.v_r[n] += (changed_before_.r[j] + changed_inner_.r[j]) * kick;
-        view.v_z[n] += (changed_before_.z[j] + changed_inner_.z[j]) * kick;
-      }
+    const Rows both{std::min(span.begin, span_before.begin), std::max(span.end, span_before.end)};
+    for (int j = both.begin; j < both.end; ++j) {
+      const long n = block_.at(i, j);
+      const Real kick = view.inverse_mass[n] * static_cast<Real>(late);
+      if (!held(i)) view.v_r[n] += (changed_before_.r[j] + changed_inner_.r[j]) * kick;
+      view.v_z[n] += (changed_before_.z[j] + changed_inner_.z[j]) * kick;
+    }
     std::swap(changed_before_, changed_outer_);
-    if (changed || changed_before)
+    if (!both.empty())
       for (Seam* forces : {&changed_inner_, &changed_outer_}) {
-        std::fill(forces->r.begin(), forces->r.end(), Real(0));
-        std::fill(forces->z.begin(), forces->z.end(), Real(0));
+        clear(forces->r.data(), both);
+        clear(forces->z.data(), both);
       }
-    changed_before = changed;
+    span_before = span;
   }
 }
 
