@@ -15,6 +15,7 @@ import tempfile
 from dataclasses import dataclass
 
 from cross_check_figures import AHEAD, BOTH, GELATIN_LS_DYNA, GELATIN_OTHER, GOLD_OTHER, NEGATIVE_ALPHA, OTHER, RHOMBUS_TIP, RIDGE_OTHER, Figures
+from machine import processor
 
 HERE = pathlib.Path(__file__).resolve().parent
 DATA = HERE.parent.parent / "data" / "guha2009"
@@ -286,10 +287,6 @@ def openradioss(program):
             seven, ten = (shown(ours[7]) if n != 10 else "", shown(ours[10]) if n != 7 else "")
             lines.append(f"| {title} | {n if n != '-' else 'not given'} | {radioss} | {other} | {seven} | {ten} |")
     return "\n".join(lines), cost
-
-
-def processor():
-    return next((line.split(":", 1)[1].strip() for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")), "processor")
 
 
 def page(program):

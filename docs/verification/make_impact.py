@@ -5,10 +5,11 @@
 import json
 import os
 import pathlib
-import platform
 import subprocess
 import sys
 import tempfile
+
+from machine import processor
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -81,13 +82,6 @@ def domain_table(program, gold):
         r = program.impact(text, "--elements-per-radius", "10", "--replicates", "5")
         lines.append(f"| {name} | {r['depth_m'] * 1e6:.2f} | {r['depth_spread_m'] * 1e6:.2f} |")
     return "\n".join(lines)
-
-
-def processor():
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.processor()
 
 
 def main(path):

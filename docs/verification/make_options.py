@@ -5,10 +5,11 @@
 import json
 import math
 import pathlib
-import platform
 import subprocess
 import sys
 import tempfile
+
+from machine import processor
 
 HERE = pathlib.Path(__file__).resolve().parent
 GOLD = HERE.parent.parent / "data" / "guha2009" / "gold.toml"
@@ -149,13 +150,6 @@ def group_table(program, cases):
         here = plain if change is None else {mesh: figures(program.impact(change(GOLD.read_text()), mesh)) for mesh in MESHES}
         lines.append(row(name, here, plain))
     return "\n".join(lines)
-
-
-def processor():
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return platform.processor()
 
 
 def main(path):

@@ -13,6 +13,8 @@ import statistics
 import subprocess
 import time
 
+from machine import processor
+
 HERE = pathlib.Path(__file__).resolve().parent
 LEVELS = {"x86_64_v4": 140, "x86_64_v3": 70, "x86_64_v2": 12}  # wanted: million element-steps a CPU second
 THESIS = {"nf": 42, "graded": 23, "depth": 75}
@@ -176,13 +178,6 @@ def roofline(bench, measured):
                  "Most operations are no multiply-adds, and each element is one long chain of them (stretches, logarithm, exponential, stress, step), so what is missing to the peak is "
                  "mostly waiting for results, and for divisions and roots.")
     return text
-
-
-def processor():
-    for line in subprocess.run(["lscpu"], capture_output=True, text=True).stdout.splitlines():
-        if line.startswith("Model name"):
-            return line.split(":", 1)[1].strip()
-    return "unknown"
 
 
 def load():

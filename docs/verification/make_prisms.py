@@ -18,6 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from prisms_text import HEAD, MOULD, MOULD_READING, OWN, PRINTED, RANKING, TURNED, TURNED_READING
+from machine import processor
 
 HERE = pathlib.Path(__file__).resolve().parent
 DATA = HERE.parent.parent / "data" / "guha2009"
@@ -300,9 +301,6 @@ def orientations(program, square, strain, density, mesh=7):
         lines.append([str(angle), rotation, depth_text(r), ", ".join(f"{t:+.1f}" for t in turns) if rotation == "free" else "held"])
     return table(["turned by, deg", "rotation", "depth, cm", "turned further in the three runs, deg"], lines)
 
-
-def processor():
-    return next((line.split(":", 1)[1].strip() for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")), "processor")
 
 def own_section(program, square, rhombus):
     square_text, results, others = own_domain(program, square)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "impact/impulse.hpp"
 #include "impact/setting_s.hpp"
 #include "percal/impact/constants.hpp"
 #include "percal/impact/elastic_sphere.hpp"
@@ -191,10 +192,7 @@ TEST(ElasticParticle, TheForceReportedIsWhatSlowsIt) {
   Problem p = with_elastic(dent(), 186);
   p.history = History{.samples = 100000};
   const ImpactResult result = run_impact(p);
-  double impulse = 0;
-  for (std::size_t k = 1; k < result.history.size(); ++k)
-    impulse += 0.5 * (result.history[k].force + result.history[k - 1].force) *
-               (result.history[k].time - result.history[k - 1].time);
+  const double impulse = impulse_of(result.history);
   EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 2e-3 * impulse);
 }
 

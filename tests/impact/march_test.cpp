@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "impact/impulse.hpp"
 #include "impact/same_bits.hpp"
 #include "impact/setting_s.hpp"
 #include "percal/impact/recorder.hpp"
@@ -233,10 +234,7 @@ TEST(History, TheForcesImpulseIsTheSpeedLost) {
   Problem p = dent();
   p.history = History{.samples = 100000};
   const ImpactResult result = run_impact(p);
-  double impulse = 0;
-  for (std::size_t k = 1; k < result.history.size(); ++k)
-    impulse += 0.5 * (result.history[k].force + result.history[k - 1].force) *
-               (result.history[k].time - result.history[k - 1].time);
+  const double impulse = impulse_of(result.history);
   EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 1e-3 * impulse);
 }
 

@@ -9,12 +9,12 @@ namespace percal {
 // Numbers are in `unit`. `error` is the standard error that we know of; what it holds and leaves out stands in the table's note.
 struct ComparedNumber {
   std::string what;
-  std::string unit;
-  std::optional<double> reference;
-  std::optional<double> ours;
-  std::optional<double> error;
+  std::string unit = "";
+  std::optional<double> reference = {};
+  std::optional<double> ours = {};
+  std::optional<double> error = {};
   int digits = 4;
-  std::string remark;
+  std::string remark = "";
 
   // (ours - reference) / reference, where both are there and reference is not 0.
   std::optional<double> difference() const {

@@ -39,20 +39,12 @@ ComparisonTable law_step(const IdentifyJob& job, const Identification& found) {
           "measured, {} times the law's elsewhere",
           job.gelatin.rate_factor),
       .rows = {}};
-  table.rows.push_back({.what = "k",
-                        .unit = "kPa",
-                        .reference = {},
-                        .ours = law.factor / kPa,
-                        .error = over(law.factor_error, kPa),
-                        .digits = 5,
-                        .remark = ""});
+  table.rows.push_back(
+      {.what = "k", .unit = "kPa", .ours = law.factor / kPa, .error = over(law.factor_error, kPa), .digits = 5});
   table.rows.push_back({.what = job.gelatin.exponent ? "n (given)" : "n (fitted)",
-                        .unit = "",
                         .reference = job.gelatin.exponent,
                         .ours = law.exponent,
-                        .error = law.exponent_error,
-                        .digits = 4,
-                        .remark = ""});
+                        .error = law.exponent_error});
   for (const Formulation& f : job.gelatin.formulations) {
     const double modulus = law.at(f.concentration);
     table.rows.push_back(
@@ -61,15 +53,11 @@ ComparisonTable law_step(const IdentifyJob& job, const Identification& found) {
          .reference = f.mu_quasi_static / kPa,
          .ours = modulus / kPa,
          .error = law.factor_error ? std::optional(*law.factor_error / law.factor * modulus / kPa) : std::nullopt,
-         .digits = 4,
          .remark = f.measured ? "" : "extrapolated"});
     table.rows.push_back({.what = fmt::format("high-rate modulus by the law, {} wt%", f.concentration),
                           .unit = "kPa",
                           .reference = over(f.mu_high_rate, kPa),
-                          .ours = high_rate_modulus(modulus, job.gelatin.rate_factor) / kPa,
-                          .error = {},
-                          .digits = 4,
-                          .remark = ""});
+                          .ours = high_rate_modulus(modulus, job.gelatin.rate_factor) / kPa});
   }
   return table;
 }
@@ -101,7 +89,6 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
          .ours = is_found ? std::optional(point.mu / MPa) : std::nullopt,
          .error =
              is_found ? std::optional(point.mu / MPa * std::hypot(point.solver_error, point.data_error)) : std::nullopt,
-         .digits = 4,
          .remark = is_found ? "" : word(point.inversion.outcome)});
   }
   for (const RidgePoint& point : found.ridge)
@@ -113,7 +100,6 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
            .reference = job.penetration / scale,
            .ours = over(p.depth, scale),
            .error = over(p.standard_error, scale),
-           .digits = 4,
            .remark = p.depth ? "" : word(p.outcome)});
     }
   return table;
@@ -128,32 +114,17 @@ ComparisonTable similarity_step(const IdentifyJob& job, const Identification& fo
                         .unit = "kg/m3",
                         .reference = reference(job, "model_density", 1),
                         .ours = s.model.target_density,
-                        .error = {},
-                        .digits = 5,
-                        .remark = ""});
-  table.rows.push_back({.what = "density that it has",
-                        .unit = "kg/m3",
-                        .reference = {},
-                        .ours = job.gelatin.density,
-                        .error = {},
-                        .digits = 5,
-                        .remark = ""});
-  table.rows.push_back({.what = "modulus, model over tissue",
-                        .unit = "",
-                        .reference = reference(job, "modulus_ratio", 1),
-                        .ours = s.modulus_ratio,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+                        .digits = 5});
+  table.rows.push_back({.what = "density that it has", .unit = "kg/m3", .ours = job.gelatin.density, .digits = 5});
+  table.rows.push_back(
+      {.what = "modulus, model over tissue", .reference = reference(job, "modulus_ratio", 1), .ours = s.modulus_ratio});
   table.rows.push_back({.what = "depth that the model shot should have",
                         .unit = "cm",
                         .reference = reference(job, "model_penetration", cm),
                         .ours = s.penetration / cm,
                         .error = job.penetration_error
                                      ? std::optional(*job.penetration_error / job.penetration * s.penetration / cm)
-                                     : std::nullopt,
-                        .digits = 4,
-                        .remark = ""});
+                                     : std::nullopt});
   return table;
 }
 
@@ -172,16 +143,10 @@ ComparisonTable formulation_step(const IdentifyJob& job, const Identification& f
                           .reference = s.penetration / cm,
                           .ours = f.penetration / cm,
                           .error = over(f.penetration_sd, cm),
-                          .digits = 4,
                           .remark = static_cast<int>(i) == s.formulation ? "chosen" : ""});
   }
-  table.rows.push_back({.what = "its high-rate modulus as given",
-                        .unit = "kPa",
-                        .reference = {},
-                        .ours = found.gelatin.high_rate[s.formulation] / kPa,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+  table.rows.push_back(
+      {.what = "its high-rate modulus as given", .unit = "kPa", .ours = found.gelatin.high_rate[s.formulation] / kPa});
   return table;
 }
 
@@ -197,19 +162,11 @@ ComparisonTable tissue_step(const IdentifyJob& job, const Identification& found)
   table.rows.push_back({.what = "high-rate shear modulus as given",
                         .unit = "MPa",
                         .reference = reference(job, "highrate_modulus", MPa),
-                        .ours = t.mu / MPa,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+                        .ours = t.mu / MPa});
   table.rows.push_back({.what = "high-rate shear modulus, true",
                         .unit = "MPa",
-                        .reference = {},
-                        .ours = true_modulus(t.mu, found.alpha, job.convention) / MPa,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+                        .ours = true_modulus(t.mu, found.alpha, job.convention) / MPa});
   table.rows.push_back({.what = "erosion strain on the ridge",
-                        .unit = "",
                         .reference = reference(job, "erosion_strain", 1),
                         .ours = t.erosion ? std::optional(t.erosion->strain) : std::nullopt,
                         .error = t.erosion ? std::optional(t.erosion->error) : std::nullopt,
@@ -218,24 +175,14 @@ ComparisonTable tissue_step(const IdentifyJob& job, const Identification& found)
   table.rows.push_back({.what = "quasi-static shear modulus as given",
                         .unit = "MPa",
                         .reference = reference(job, "quasistatic_shear_modulus", MPa),
-                        .ours = t.mu_quasi_static / MPa,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+                        .ours = t.mu_quasi_static / MPa});
   table.rows.push_back({.what = "quasi-static Young's modulus as given",
                         .unit = "MPa",
                         .reference = reference(job, "quasistatic_youngs_modulus", MPa),
-                        .ours = t.youngs_quasi_static / MPa,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+                        .ours = t.youngs_quasi_static / MPa});
   table.rows.push_back({.what = "quasi-static Young's modulus, true",
                         .unit = "MPa",
-                        .reference = {},
-                        .ours = true_modulus(t.youngs_quasi_static, found.alpha, job.convention) / MPa,
-                        .error = {},
-                        .digits = 4,
-                        .remark = ""});
+                        .ours = true_modulus(t.youngs_quasi_static, found.alpha, job.convention) / MPa});
   return table;
 }
 
@@ -256,7 +203,6 @@ ComparisonTable check_step(const IdentifyJob& job, const Identification& found) 
                           .reference = other,
                           .ours = over(p.depth, cm),
                           .error = over(p.standard_error, cm),
-                          .digits = 4,
                           .remark = p.depth ? "" : word(p.outcome)});
   };
   row("depth, beside the similar one", s.penetration / cm);
@@ -283,7 +229,6 @@ ComparisonTable mesh_step(const IdentifyJob& job, const Identification& found) {
                           .reference = job.penetration / scale,
                           .ours = over(p.depth, scale),
                           .error = over(p.standard_error, scale),
-                          .digits = 4,
                           .remark = p.depth ? "" : word(p.outcome)});
   }
   return table;
@@ -309,7 +254,6 @@ ComparisonTable prediction_step(const IdentifyJob& job, const PredictionResult& 
                           .reference = over(shot.measured, scale),
                           .ours = over(p.depth, scale),
                           .error = over(p.spread, scale),
-                          .digits = 4,
                           .remark = remark});
   }
   table.note = fmt::format("{} elements per radius, error: spread of {} runs", set.elements_per_radius, set.replicates);

@@ -26,18 +26,13 @@ void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::
                            .unit = "MPa",
                            .reference = point.known->mu / MPa,
                            .ours = point.mu != 0 ? std::optional(point.mu / MPa) : std::nullopt,
-                           .error = point.mu / MPa * std::hypot(point.solver_error, point.data_error),
-                           .digits = 4,
-                           .remark = ""});
+                           .error = point.mu / MPa * std::hypot(point.solver_error, point.data_error)});
     if (point.known->mu_model)
       mapped.rows.push_back(
           {.what = fmt::format("{:.4g} MPa", point.known->mu / MPa),
            .unit = "kPa",
            .reference = *point.known->mu_model / kPa,
-           .ours = map_modulus(point.known->mu, found.similarity.prototype, found.similarity.model) / kPa,
-           .error = {},
-           .digits = 4,
-           .remark = ""});
+           .ours = map_modulus(point.known->mu, found.similarity.prototype, found.similarity.model) / kPa});
   }
   tables.push_back(std::move(moduli));
   if (!mapped.rows.empty()) tables.push_back(std::move(mapped));
@@ -51,10 +46,7 @@ void add_formulation_table(const IdentifyJob& job, const Identification& found, 
         {.what = fmt::format("{} wt%", f.concentration),
          .unit = "kPa",
          .reference = f.mu_high_rate ? std::optional(*f.mu_high_rate / kPa) : std::nullopt,
-         .ours = high_rate_modulus(found.gelatin.law.at(f.concentration), job.gelatin.rate_factor) / kPa,
-         .error = {},
-         .digits = 4,
-         .remark = ""});
+         .ours = high_rate_modulus(found.gelatin.law.at(f.concentration), job.gelatin.rate_factor) / kPa});
   tables.push_back(std::move(table));
 }
 
@@ -69,15 +61,13 @@ void add_line(const ScaledLine& scaled, const Line& line, std::vector<Comparison
                         .reference = in_cm(scaled.reference_slope),
                         .ours = line.slope / cm,
                         .error = in_cm(line.slope_error),
-                        .digits = 5,
-                        .remark = ""});
+                        .digits = 5});
   table.rows.push_back({.what = "intercept",
                         .unit = "cm",
                         .reference = in_cm(scaled.reference_intercept),
                         .ours = line.intercept / cm,
                         .error = in_cm(line.intercept_error),
-                        .digits = 5,
-                        .remark = ""});
+                        .digits = 5});
   tables.push_back(std::move(table));
 }
 
@@ -101,20 +91,14 @@ void add_scaled_line(const ScaledLine& scaled, const Identification& found, std:
         {.what = fmt::format("{}, a = {:.3g} um, {:.4g} m/s", shot.particle, shot.radius / um, shot.speed),
          .unit = "um",
          .reference = shot.reference ? std::optional(*shot.reference / um) : std::nullopt,
-         .ours = depth / um,
-         .error = {},
-         .digits = 4,
-         .remark = ""});
+         .ours = depth / um});
   }
   if (!computed.empty())
     table.rows.push_back(
         {.what = "mean error against the measured depths",
          .unit = "%",
          .reference = scaled.reference_mean_error ? std::optional(100 * *scaled.reference_mean_error) : std::nullopt,
-         .ours = 100 * mean_relative_error(computed, measured),
-         .error = {},
-         .digits = 4,
-         .remark = ""});
+         .ours = 100 * mean_relative_error(computed, measured)});
   tables.push_back(std::move(table));
 }
 
@@ -139,7 +123,6 @@ void add_prediction_tables(const IdentifyJob& job, const Identification& found, 
            .reference = other ? std::optional(*other / unit) : std::nullopt,
            .ours = p.depth ? std::optional(*p.depth / unit) : std::nullopt,
            .error = p.standard_error ? std::optional(*p.standard_error / unit) : std::nullopt,
-           .digits = 4,
            .remark = p.depth ? "" : word(p.outcome)});
     }
     tables.push_back(std::move(table));
@@ -157,15 +140,12 @@ void add_trends(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
                           .reference = trend.reference_slope,
                           .ours = line.slope,
                           .error = line.slope_error,
-                          .digits = 5,
-                          .remark = ""});
+                          .digits = 5});
     table.rows.push_back({.what = "intercept",
-                          .unit = "",
                           .reference = trend.reference_intercept,
                           .ours = line.intercept,
                           .error = line.intercept_error,
-                          .digits = 5,
-                          .remark = ""});
+                          .digits = 5});
     tables.push_back(std::move(table));
   }
 }
@@ -189,13 +169,8 @@ void add_equal_mass(const IdentifyJob& job, std::vector<ComparisonTable>& tables
         if (trend.name == shape.trend) depth = line_of(trend).at(equal.speed / trend.x_unit) * trend.y_unit;
       if (shape.mass) depth *= equal_mass_prism_scale(*shape.mass, equal.mass);
     }
-    table.rows.push_back({.what = shape.name,
-                          .unit = "cm",
-                          .reference = shape.reference / cm,
-                          .ours = depth / cm,
-                          .error = {},
-                          .digits = 3,
-                          .remark = ""});
+    table.rows.push_back(
+        {.what = shape.name, .unit = "cm", .reference = shape.reference / cm, .ours = depth / cm, .digits = 3});
   }
   tables.push_back(std::move(table));
 }

@@ -11,6 +11,18 @@ PERCAL_INLINE V depths_of_lanes(double row_height) {
   return below_first;
 }
 
+// A group of nodes gets its push, and the particle the opposite.
+template <class V>
+PERCAL_INLINE void push_apart(RealOf<V>* fr, RealOf<V>* fz, V push_r, V push_z, V stiffness, V gap,
+                              ContactReport& report) {
+  store(fr, load<V>(fr) + push_r);
+  store(fz, load<V>(fz) + push_z);
+  report.force += lane_sum(push_z);
+  report.spring_energy += 0.5 * lane_sum(stiffness * gap * gap);
+  const double deepest = static_cast<double>(lane_largest(gap));
+  if (deepest > report.largest_gap) report.largest_gap = deepest;
+}
+
 // Frictionless penalty: a node inside the sphere by `gap` is pushed out along the radius with force stiffness gap.
 template <class Real>
 void sphere_contact(const FieldsView<Real>& fields, const NodeForces<Real>& forces, const ContactNodes& nodes,
@@ -35,12 +47,7 @@ void sphere_contact(const FieldsView<Real>& fields, const NodeForces<Real>& forc
     const V gap = select(touching, Real(1) - distance, zero);
     const V push = k * gap / distance;
     const V push_z = push * z;
-    store(fr + j, load<V>(fr + j) + push * r);
-    store(fz + j, load<V>(fz + j) + push_z);
-    report.force += lane_sum(push_z);
-    report.spring_energy += 0.5 * lane_sum(k * gap * gap);
-    const double deepest = static_cast<double>(lane_largest(gap));
-    if (deepest > report.largest_gap) report.largest_gap = deepest;
+    push_apart(fr + j, fz + j, push * r, push_z, k, gap, report);
   }
 }
 
@@ -76,14 +83,9 @@ void profile_contact(const FieldsView<Real>& fields, const NodeForces<Real>& for
     if (!any(touching)) continue;
     gap = select(touching, gap, zero);
     const V push = k * gap / nearest, push_x = push * normal_x, push_z = push * normal_z;
-    store(fr + j, load<V>(fr + j) + push_x);
-    store(fz + j, load<V>(fz + j) + push_z);
-    report.force += lane_sum(push_z);
+    push_apart(fr + j, fz + j, push_x, push_z, k, gap, report);
     report.sideways -= lane_sum(push_x);
     report.torque += lane_sum(push_z * x - push_x * z);
-    report.spring_energy += 0.5 * lane_sum(k * gap * gap);
-    const double deepest = static_cast<double>(lane_largest(gap));
-    if (deepest > report.largest_gap) report.largest_gap = deepest;
   }
 }
 
