@@ -16,12 +16,14 @@ MAY_SEE = {
     "impact": ["base", "math", "material", "mesh", "problem"],
     "observe": ["base", "text", "problem", "impact"],
     "store": ["base"],
-    "fit": ["base", "math", "units", "text", "material"],
+    "estimate": ["base", "math"],
+    "fit": ["base", "math", "units", "text", "material", "estimate"],
     "invert": ["base", "math"],
     "card": ["base", "units", "text", "material"],
     "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store"],
     "study": ["base", "math", "mesh", "scene", "problem", "impact", "observe", "store", "campaign"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign"],
+    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "estimate", "fit", "invert", "card", "campaign"],
 }
 
 

@@ -1,0 +1,121 @@
+// A calibration as its TOML file says it: parameters, materials, curves, shots, readings. docs/formats/calibrate.md
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "percal/fit/curve_data.hpp"
+#include "percal/estimate/least_squares.hpp"
+#include "percal/material/conventions.hpp"
+#include "percal/scene/scene.hpp"
+
+namespace percal {
+
+enum class ParameterKind { modulus, exponent, erosion_strain };  // mu as given (Pa), alpha, erosion strain
+
+struct CalibrationParameter {
+  ParameterKind kind = ParameterKind::modulus;
+  FreeParameter free;
+};
+
+// A material's number: fixed, or the index of a parameter; materials that name one parameter share it.
+struct SharedParameter {
+  int index;
+};
+using MaterialNumber = std::variant<double, SharedParameter>;
+
+struct CalibrationMaterial {
+  std::string name;
+  double density = 0;  // kg/m3
+  MaterialNumber mu, alpha, erosion_strain;
+  std::optional<double> rate_factor;  // high-rate over quasi-static modulus: the quasi-static moduli are reported where it is there
+  double rate_factor_error = 0;       // relative standard deviation
+};
+
+// A sphere shot into a material.
+struct MeasuredShot {
+  std::string label;
+  int material = 0;                        // of CalibrationJob::materials
+  double radius = 0, density = 0;          // m, kg/m3: of the sphere
+  double speed = 0, speed_error = 0;       // m/s, standard deviation
+  double layer_depth = 0, layer_width = 0; // m
+  double depth = 0;                        // m, measured
+  double depth_error = 0;                  // m, standard deviation of this depth where one is known
+  bool at_least = false;                   // the particle was only seen to go this deep or deeper
+  bool used = true;                        // fitted; else only predicted
+  int group = 0;                           // scatter group
+  int set = 0;                             // of CalibrationJob::sets
+  std::map<std::string, std::string> row;  // its row of the table, for filters of cross-validation
+};
+
+struct ShotSet {
+  std::string name;
+  bool leave_one_out = false;  // of its shots, those used and not used alike: each from the others' fit
+};
+
+// Stress-stretch points of a material. The curve's modulus is mu / rate_factor.
+struct MeasuredCurve {
+  std::string name;
+  int material = 0;
+  CurveData data;
+  double relative_error = 0;   // of one stress, standard deviation; scatter is estimated beside it where the job says so
+  double rate_factor = 1;
+  double rate_factor_error = 0;
+  int group = 0;
+  bool synthetic = false;      // generated: said wherever it is used
+};
+
+// One way to read the data: which numbers are held, and the choices that depths cannot settle.
+struct CalibrationReading {
+  std::string name;
+  std::map<int, double> held;  // parameter -> natural value
+  ModulusConvention convention = ModulusConvention::true_shear;  // what mu as given means
+  StrainMeasure measure = StrainMeasure::engineering;
+  double contact_stiffness = 0.6;
+};
+
+// Shots by filters "COLUMN=VALUE" of their table's rows, or "set=NAME": all of a list must hold.
+using ShotFilter = std::vector<std::string>;
+struct CrossValidation {
+  std::string name;
+  ShotFilter fit, predict;
+  std::vector<int> readings;   // empty: every one
+  std::optional<double> goal;  // mean relative deviation; said beside the result
+};
+
+// How runs are spent on the emulator.
+struct TrainingSettings {
+  int coarse = 8, fine = 16, verify = 20;  // elements per radius
+  int initial = 160;                       // runs of the first, space-filling design, coarse
+  int batch = 40;                          // runs of each later round
+  int most = 1200;                         // runs altogether, for each emulator
+  double fine_share = 0.15;                // of each round
+  double accuracy = 0.5;                   // stop where the emulator's error is below this share of the data's
+  double failures_tolerated = 0.5;         // share of runs without a depth; above it the job stops and says why
+  int verify_replicates = 1;
+  unsigned seed = 20090401;
+};
+
+struct CalibrationJob {
+  std::string file, title, text;  // text: the file as it stands
+  std::vector<CalibrationParameter> parameters;
+  std::vector<CalibrationMaterial> materials;
+  std::vector<ScatterGroup> groups;
+  std::vector<ShotSet> sets;
+  std::vector<MeasuredShot> shots;
+  std::vector<MeasuredCurve> curves;
+  std::vector<CalibrationReading> readings;  // never empty
+  std::vector<CrossValidation> cross_validations;
+  TrainingSettings training;
+  SolverScene solver;
+  bool dehn = true;  // the closed form beside it
+  double level = 0.95;
+  int bootstrap = 200;
+};
+
+// Throws BadInput for everything that is wrong with the job and its tables.
+CalibrationJob read_calibration_job(const std::string& path);
+
+}  // namespace percal

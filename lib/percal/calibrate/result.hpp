@@ -1,0 +1,143 @@
+// What a calibration found: for every reading the parameters with their intervals, every shot beside its model, what was predicted
+// from what, where the error comes from, and what it cost.                                      docs/formats/calibrate.md
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/calibrate/job.hpp"
+#include "percal/estimate/intervals.hpp"
+#include "percal/invert/emulator.hpp"
+
+namespace percal {
+
+// A number with a central value and an interval at the job's level.
+struct Estimate {
+  double value = 0;
+  Interval interval;
+};
+
+// A depth that a model gives for a shot, and what a new shot of the kind would do.
+struct ShotDepth {
+  int shot = 0;                        // of CalibrationJob::shots
+  double depth = 0;                    // m
+  double model_error = 0;              // relative standard deviation of the model itself (emulator)
+  double low = 0, high = 0;            // m: prediction interval of one shot (parameters, solver noise, scatter)
+  bool fitted = true;                  // it was among the data of this fit
+  // ours / measured - 1; none for a shot of which only a least depth is known.
+  std::optional<double> deviation;
+};
+
+// Mean of |deviation| over the shots of a set or filter, and how many of the measured depths lie within the intervals.
+struct Deviation {
+  std::string name;
+  int shots = 0;
+  double mean_absolute = 0;
+  double mean_signed = 0;
+  int within = 0;
+};
+
+// A fresh run at the optimum, on a finer mesh than the emulator's: no final point is taken from the emulator alone.
+struct FreshRun {
+  int shot = 0;
+  int elements_per_radius = 0;
+  std::optional<double> depth;  // m; none where it did not stop
+  std::string outcome;
+  double emulated = 0;          // m, on the same mesh
+  double standardised = 0;      // (ln depth - ln emulated) over the emulator's standard deviation, noise included
+};
+
+struct CrossValidationResult {
+  std::string name;
+  int fitted = 0;                    // shots that the fit saw
+  std::vector<ShotDepth> shots;      // predicted
+  Deviation fit, prediction;
+  std::optional<double> goal;
+};
+
+// Shares of the variance of one quantity.
+struct ErrorSource {
+  std::string name;
+  double standard_deviation = 0;  // relative, of the quantity
+  double share = 0;               // of the variance
+};
+struct ErrorBudget {
+  std::string quantity;
+  std::vector<ErrorSource> sources;
+  double standard_deviation = 0;  // of ln of the quantity, all sources
+  Estimate total;                 // natural value with the interval of all sources
+};
+
+// The moduli of a material under one reading, in every convention. Pa.
+struct MaterialModuli {
+  std::string material;
+  Estimate mu_as_given, mu_true;
+  std::optional<Estimate> mu_as_given_quasi_static, youngs_quasi_static_as_given, youngs_quasi_static_true;  // E = 3 mu
+};
+
+struct ReadingResult {
+  int reading = 0;  // of CalibrationJob::readings
+  std::vector<Minimum> minima;             // best first; parameters: those of the job that are not held
+  std::vector<int> parameters;             // job parameter of each fitted one
+  std::vector<ProfileInterval> intervals;
+  std::optional<Bootstrap> bootstrap;
+  std::vector<Combination> combinations;
+  std::optional<RidgeMap> ridge;           // modulus over erosion strain, where both are fitted
+  std::vector<ShotDepth> shots;            // every shot of the job
+  std::vector<Deviation> sets;             // by set
+  std::vector<FreshRun> fresh;
+  std::vector<CrossValidationResult> cross_validations, leave_one_out;
+  std::vector<MaterialModuli> moduli;
+  std::vector<ErrorBudget> budgets;
+  std::vector<Advice> advice;              // what to measure next
+  double mesh_error = 0;                   // relative: depth on no mesh over depth on the finest, less 1, mean over the shots
+  double fresh_deviation = 0;              // mean of |fresh/measured - 1| over the fitted shots
+  std::vector<std::string> findings;
+};
+
+// The closed form fitted to the same shots, with the same cross-validations.
+struct DehnResult {
+  std::string material;
+  Minimum minimum;                         // ln c, ln s
+  std::vector<ProfileInterval> intervals;
+  std::vector<ShotDepth> shots;
+  std::vector<Deviation> sets;
+  std::vector<CrossValidationResult> cross_validations, leave_one_out;
+};
+
+// One emulator: the choices it stands for, what it was trained on, its own error.
+struct EmulatorReport {
+  std::string setting;                     // "engineering strain, contact stiffness 0.6"
+  std::vector<int> readings;
+  int runs = 0, reused = 0, foreign = 0;   // done here, taken from the store, of these not of this job's design
+  std::map<std::string, int> outcomes;     // of its design, by name
+  EmulatorSettings settings;
+  double leave_one_out = 0, standardised_deviation = 0, coverage95 = 0;
+  double error_at_optimum = 0, data_error = 0;  // relative, mean over the fitted shots: why it stopped
+  std::string stopped;                     // why no more runs were made
+  // After each round: runs so far, CPU seconds so far, error at the optimum.
+  struct Round {
+    int runs = 0;
+    double cpu_seconds = 0, error = 0;
+  };
+  std::vector<Round> rounds;
+};
+
+struct CalibrationCost {
+  long runs = 0, reused = 0;
+  double wall_seconds = 0, cpu_seconds = 0;
+  std::optional<double> budget_seconds;
+  std::string advice;                      // what more time would buy
+  std::string instruction_level;
+};
+
+struct CalibrationResult {
+  std::vector<EmulatorReport> emulators;
+  std::vector<ReadingResult> readings;
+  std::vector<DehnResult> dehn;
+  std::vector<std::string> findings;       // about the whole
+  CalibrationCost cost;
+};
+
+}  // namespace percal

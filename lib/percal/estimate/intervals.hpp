@@ -1,0 +1,89 @@
+// How well data determine parameters: profile likelihood, bootstrap, correlation, and what no amount of fitting can tell.
+// docs/theory/calibration.md
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "percal/estimate/least_squares.hpp"
+
+namespace percal {
+
+struct ProfilePoint {
+  double searched = 0;
+  double rise = 0;  // of the objective above the minimum, the others fitted anew
+  Eigen::VectorXd others;
+};
+
+// An end that the bound cut off is open: the data say nothing against going on.
+struct Interval {
+  double low = 0, high = 0;  // natural values
+  bool low_open = false, high_open = false;
+};
+
+struct ProfileInterval {
+  int parameter = 0;
+  Interval interval;
+  std::vector<ProfilePoint> profile;  // from low to high
+  // Both ends open, or wider than a factor of `hopeless_factor` on a logarithmic scale.
+  bool identifiable = true;
+};
+inline constexpr double hopeless_factor = 4;
+
+// One for each parameter, at a confidence level such as 0.95. With an estimated scatter the threshold is that of Student's t with
+// the minimum's degrees of freedom, else of the normal distribution.
+std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem, const Minimum& minimum, double level,
+                                               const SearchOptions& options);
+
+// Data drawn anew from the fitted model with the fitted errors (parametric), or residuals drawn with return (residual), each
+// fitted from the minimum. The same seed gives the same numbers.
+enum class BootstrapKind { parametric, residual };
+struct Bootstrap {
+  Eigen::MatrixXd searched;         // replicates x parameters
+  std::vector<Interval> intervals;  // percentiles, natural values
+  int failed = 0;                   // replicates without a converged fit: counted, left out
+};
+Bootstrap bootstrap(const CalibrationProblem& problem, const Minimum& minimum, BootstrapKind kind, int replicates,
+                    double level, unsigned seed, const SearchOptions& options);
+
+// The combinations of parameters that the data determine, best first: eigenvectors of the information matrix (searched scale,
+// priors left out). Its standard deviation says how well; above ln(hopeless_factor)/4 it is not determined.
+struct Combination {
+  Eigen::VectorXd weight;  // of each searched parameter, unit length
+  double standard_deviation = 0;
+  bool determined = true;
+};
+std::vector<Combination> combinations(const CalibrationProblem& problem, const Minimum& minimum);
+Eigen::MatrixXd correlation(const Minimum& minimum);
+
+// What no number alone says, in sentences: which parameter cannot be known from these data, along which combination it may move
+// freely, which sits at a bound, which second minimum is as good.
+std::vector<std::string> findings(const CalibrationProblem& problem, const std::vector<Minimum>& minima,
+                                  const std::vector<ProfileInterval>& intervals);
+
+// A level set of the objective over two parameters, the others fitted anew at every point: the ridge as it is.
+struct RidgeMap {
+  int first = 0, second = 0;      // parameters
+  std::vector<double> x, y;       // natural grid values
+  Eigen::MatrixXd rise;           // y.size() x x.size()
+  double threshold = 0;           // of the 95 % region
+  std::vector<std::vector<std::array<double, 2>>> contours;  // at the threshold, natural values
+};
+RidgeMap ridge_map(const CalibrationProblem& problem, const Minimum& minimum, int first, int second, int grid,
+                   const SearchOptions& options);
+
+// What one more measurement would do: a shot that has not been made, with its gradient at the minimum and the error it would have.
+struct Candidate {
+  std::string label;
+  Eigen::VectorXd gradient;  // d value / d searched parameter
+  double error = 0;          // standard deviation it would have, scatter included
+};
+struct Advice {
+  std::string label;
+  double width_ratio = 1;  // of the target's interval afterwards over now, linearised
+};
+// Best first, for the parameter (or combination) with this weight.
+std::vector<Advice> next_experiments(const Minimum& minimum, const Eigen::VectorXd& target_weight,
+                                     const std::vector<Candidate>& candidates);
+
+}  // namespace percal

@@ -1,0 +1,88 @@
+// The depth of a sphere as a smooth function of the dimensionless problem, learnt from finished runs: one Gaussian process for
+// one setting of the solver (strain measure, contact, ...), with the mesh as a variable of its own. docs/theory/emulator.md
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace percal {
+
+inline constexpr int sphere_inputs = 6;
+// ln pi4, ln pi5 = ln(rho_t/rho_p), alpha, erosion strain, ln(L/a), ln(K/mu): in this order.
+using SphereInputs = std::array<double, sphere_inputs>;
+
+struct SphereRun {
+  SphereInputs at{};
+  double h = 0.1;        // element size over radius: 1 / elements_per_radius
+  double log_depth = 0;  // ln(depth / radius) of a run that stopped
+};
+
+// What the hyperparameter search found. Lengths are in units of the inputs.
+struct EmulatorSettings {
+  double amplitude = 1;                            // standard deviation of the smooth part
+  std::array<double, sphere_inputs> length{};
+  double mesh_amplitude = 0;                       // of the part that the mesh adds, at h = 0.1
+  std::array<double, sphere_inputs> mesh_length{};
+  double mesh_order = 1;                           // it goes as h^order
+  double noise = 0.015;                            // the solver's own, standard deviation of ln depth (the nugget), at h = 0.1
+  double noise_order = 0;                          // noise goes as h^order
+  double log_likelihood = 0;
+  int evaluations = 0;                             // of the likelihood
+};
+
+struct EmulatorOptions {
+  int most_points_for_search = 500;  // hyperparameters are found on a subset of at most this many
+  int most_evaluations = 300;
+  unsigned seed = 20090401;
+};
+
+// Of the smooth depth, without the solver's noise.
+struct DepthAnswers {
+  Eigen::VectorXd log_depth;
+  Eigen::MatrixXd gradient;    // points x sphere_inputs
+  Eigen::MatrixXd covariance;  // points x points; empty where not wanted
+};
+
+// Leave-one-out: (prediction - run) of each training point, and over its predicted standard deviation (noise included).
+struct LeaveOneOut {
+  std::vector<double> error, standardised;
+  double root_mean_square = 0;        // of ln depth
+  double standardised_deviation = 0;  // 1 where the stated error is right
+  double coverage95 = 0;              // share within the stated 95 %
+};
+
+class Emulator {
+ public:
+  // The same runs in the same order give the same bits. Throws BadInput for fewer than 2 * sphere_inputs runs.
+  Emulator(std::vector<SphereRun> runs, const EmulatorOptions& options);
+  // As before, with settings that are known: no search.
+  Emulator(std::vector<SphereRun> runs, const EmulatorSettings& settings);
+
+  // The depth on a mesh of element size h; 0: extrapolated to none.
+  DepthAnswers depth(const std::vector<SphereInputs>& at, double h, bool with_covariance) const;
+
+  LeaveOneOut leave_one_out() const;
+  const EmulatorSettings& settings() const;
+  const std::vector<SphereRun>& runs() const;
+  // Of one run on a mesh of element size h.
+  double noise(double h) const;
+
+  // Chooses `count` of the candidates so that the sum of the variances at `targets` (weights w, on the mesh h_target) falls most
+  // for its cost, one after the other, each knowing the ones before. Indices in the order of choice; the same input gives the
+  // same choice.
+  struct CandidateRun {
+    SphereInputs at{};
+    double h = 0.1;
+    double cost = 1;
+  };
+  std::vector<int> choose(const std::vector<CandidateRun>& candidates, int count, const std::vector<SphereInputs>& targets,
+                          const std::vector<double>& weights, double h_target) const;
+
+ private:
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+}  // namespace percal
