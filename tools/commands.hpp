@@ -20,9 +20,20 @@ struct Common {
 struct FitArguments {
   std::vector<std::string> files;
   std::string mode;  // empty: from the `mode` column
-  std::string residual = "relative";
-  std::string x, y;                // columns; empty: found by their names
-  std::vector<std::string> where;  // COLUMN=VALUE
+  std::string model = "ogden";
+  std::string residual = "relative";  // relative, absolute, error
+  std::string weights = "points";     // points, tests, NAME=NUMBER,...
+  std::string loss = "squares";       // squares, huber, cauchy
+  bool unconstrained = false;         // single moduli may be negative
+  bool compare = false;               // all models
+  std::string stable = "0.1:10";      // stretches over which stability is looked at
+  std::string x, y, error;            // columns; empty: found by their names
+  std::vector<std::string> where;     // COLUMN=VALUE
+  bool intervals = true;
+  double level = 0.95;
+  int bootstrap = 0;         // replicates; 0: none
+  bool rate_factor = false;  // two curves, low rate first: one factor between them
+  std::string rate_column;   // one file instead: its rows have one of two rates here
 };
 
 struct ScaleArguments {
@@ -41,6 +52,12 @@ struct ImpactArguments {
 
 struct IdentifyArguments {
   std::string job;
+};
+
+struct CalibrateArguments {
+  std::string job;
+  std::string budget;    // "60s"; empty: no limit
+  bool details = false;  // every shot and every fresh run in tables
 };
 
 // One of the three kinds of study; `scene` is empty where it brings its own.
@@ -62,9 +79,11 @@ struct CardArguments {
 };
 
 Exit run_fit(const FitArguments&, const Common&);
+Exit run_rate_factor(const FitArguments&, const Common&);
 Exit run_scale(const ScaleArguments&, const Common&);
 Exit run_impact(const ImpactArguments&, const Common&);
 Exit run_identify(const IdentifyArguments&, const Common&);
+Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
 

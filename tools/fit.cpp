@@ -1,127 +1,87 @@
-// percal fit FILE...: stress-stretch curves -> mu and alpha, every minimum.
+// percal fit FILE...: stress-stretch curves -> moduli and exponents, every minimum.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <chrono>
-#include <cstdio>
-#include <cstring>
-#include <ctime>
-#include <filesystem>
+#include <cmath>
+#include <locale>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "commands.hpp"
-#include "percal/base/version.hpp"
+#include "fit_output.hpp"
+#include "fit_text.hpp"
 #include "percal/fit/fit_json.hpp"
-#include "percal/fit/fit_ogden.hpp"
 #include "percal/fit/read_curves.hpp"
+#include "percal/fit/uncertainty_json.hpp"
 #include "percal/text/file.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal::tools {
 namespace {
 
 using nlohmann::json;
 
-struct Clock {
-  std::chrono::steady_clock::time_point wall = std::chrono::steady_clock::now();
-  std::clock_t cpu = std::clock();
-  json cost() const {
-    const std::chrono::duration<double> wall_s = std::chrono::steady_clock::now() - wall;
-    return {{"wall_s", wall_s.count()}, {"cpu_s", static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC}};
+// A finite number that is the whole text.
+std::optional<double> number_in(const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double number = 0;
+  if (!(stream >> number) || !stream.eof() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+StretchRange stretches_of(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon != std::string::npos) {
+    const auto low = number_in(text.substr(0, colon)), high = number_in(text.substr(colon + 1));
+    if (low && high && *low > 0 && *low <= 1 && *high >= 1 && *low < *high) return {*low, *high};
   }
-};
-
-struct PressureUnit {
-  const char* symbol;
-  double size;  // Pa
-};
-
-// The unit in which a modulus reads best.
-PressureUnit unit_for(double pressure) {
-  if (pressure >= 1e9) return {"GPa", 1e9};
-  if (pressure >= 1e6) return {"MPa", 1e6};
-  if (pressure >= 1e3) return {"kPa", 1e3};
-  return {"Pa", 1};
+  throw BadInput({"", 0, "--stable"}, in_quotes(text),
+                 "LOW:HIGH, two stretches with 0 < LOW <= 1 <= HIGH, such as 0.3:3");
 }
 
-std::string with_error(double value, const std::optional<double>& error) {
-  if (!error) return fmt::format("{:.5g}", value);
-  return fmt::format("{:.5g} ± {:.2g}", value, *error);
-}
-
-std::string or_dash(const std::optional<double>& value, const char* form) {
-  return value ? fmt::format(fmt::runtime(form), *value) : "-";
-}
-
-// Standard output may be a file on a full disk.
-void put(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
-}
-
-std::string sources_as_text(const CurveData& data) {
-  std::string text;
-  for (const auto& source : data.sources)
-    text += fmt::format("{}: {} points of {}{} over {}\n", source.file, source.points, source.y,
-                        source.cauchy ? " (Cauchy, made nominal)" : "", source.x);
-  return text;
-}
-
-std::string modes_as_text(const OgdenFit& fit) {
-  std::string text;
-  for (const auto& [deformation, points] : fit.points_of_mode)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", points, word(deformation));
-  return text;
-}
-
-std::string minima_as_table(const OgdenFit& fit) {
-  constexpr const char* row = "{:>7}  {:>24}  {:>20}  {:>11}  {:>9}  {:>12}  {:>10}{}\n";
-  const PressureUnit unit = unit_for(fit.minima[0].solid.mu);
-  std::string text = fmt::format(row, "minimum", fmt::format("mu, {}", unit.symbol), "alpha", "correlation", "R^2",
-                                 fit.residual == Residual::absolute ? "SSE, Pa^2" : "sum of r^2", "above best", "");
-  int rank = 0;
-  for (const auto& minimum : fit.minima) {
-    auto mu_error = minimum.mu_standard_error;
-    if (mu_error) *mu_error /= unit.size;
-    text += fmt::format(
-        row, ++rank, with_error(minimum.solid.mu / unit.size, mu_error),
-        with_error(minimum.solid.alpha, minimum.alpha_standard_error), or_dash(minimum.correlation, "{:.4f}"),
-        or_dash(minimum.r2, "{:.6f}"), fmt::format("{:.6g}", minimum.objective),
-        minimum.above_best ? fmt::format("{:.3g} %", 100 * *minimum.above_best) : "-",
-        std::string(minimum.at_bound ? "  at the bound" : "") + (minimum.converged ? "" : "  not converged"));
+Weighting weighting_of(const std::string& text) {
+  if (text == "points") return EqualPoints{};
+  EqualTests tests;
+  if (text == "tests") return tests;
+  std::istringstream stream(text + ",");  // so that an empty text is an empty entry
+  for (std::string entry; std::getline(stream, entry, ',');) {
+    const auto equals = entry.rfind('=');
+    const auto number = equals == std::string::npos ? std::nullopt : number_in(entry.substr(equals + 1));
+    if (!number || !(*number > 0) || equals == 0)
+      throw BadInput({"", 0, "--weights"}, in_quotes(text),
+                     "points, tests, or NAME=NUMBER,... with numbers above 0, such as uniaxial=2,planar=1");
+    tests.of_test.emplace_back(entry.substr(0, equals), *number);
   }
-  return text;
+  return tests;
 }
 
-std::string fit_as_text(const OgdenFit& fit, const CurveData& data) {
-  std::string text = sources_as_text(data) + fmt::format("{} points used: {}", fit.points, modes_as_text(fit));
-  if (fit.residual == Residual::relative) text += fmt::format("; {} of zero stress left out", fit.left_out_zero_stress);
-  text += fmt::format("\n{} residuals; alpha searched from {:g} to {:g}\n", word(fit.residual), -largest_alpha,
-                      largest_alpha);
-  if (!fit.minima.empty()) text += fmt::format("\n{}", minima_as_table(fit));
-  for (const auto& sentence : findings(fit)) text += fmt::format("\n{}\n", sentence);
-  return text;
+CurveOptions options_of(const FitArguments& arguments) {
+  CurveOptions options;
+  options.model = *model_of(arguments.model);
+  for (const Residual residual : {Residual::relative, Residual::absolute, Residual::error})
+    if (arguments.residual == word(residual)) options.residual = residual;
+  for (const Loss loss : {Loss::squares, Loss::huber, Loss::cauchy})
+    if (arguments.loss == word(loss)) options.loss = loss;
+  options.weighting = weighting_of(arguments.weights);
+  options.signs = arguments.unconstrained ? Signs::free : Signs::positive;
+  return options;
 }
 
-json input_of(const FitArguments& arguments) {
-  return {{"files", arguments.files}, {"mode", arguments.mode}, {"residual", arguments.residual},
-          {"x", arguments.x},         {"y", arguments.y},       {"where", arguments.where}};
+CurveData read(const FitArguments& arguments) {
+  return read_curves(
+      arguments.files,
+      {.mode = arguments.mode, .x = arguments.x, .y = arguments.y, .error = arguments.error, .where = arguments.where});
 }
-
-json head(const FitArguments& arguments) {
-  return {{"schema", result_schema}, {"version", version()}, {"command", "fit"}, {"input", input_of(arguments)}};
-}
-
-// JSON for people and programs; text of the user that is not UTF-8 shows as replacement characters.
-std::string written(const json& result) { return result.dump(2, ' ', false, json::error_handler_t::replace) + "\n"; }
 
 }  // namespace
 
 Exit run_fit(const FitArguments& arguments, const Common& common) {
+  if (arguments.rate_factor) return run_rate_factor(arguments, common);
   const Clock clock;
-  const CurveData data = read_curves(
-      arguments.files, {.mode = arguments.mode, .x = arguments.x, .y = arguments.y, .where = arguments.where});
+  const CurveOptions options = options_of(arguments);
+  const StretchRange stretches = stretches_of(arguments.stable);
+  const CurveData data = read(arguments);
   if (common.check) {
-    json result = head(arguments);
+    json result = fit_head(arguments);
     result["sources"] = to_json(data);
     if (common.json) put(written(result));
     if (!common.json && !common.quiet) put(sources_as_text(data));
@@ -129,14 +89,21 @@ Exit run_fit(const FitArguments& arguments, const Common& common) {
   }
   if (!common.out.empty()) ensure_writable_folder(common.out);
 
-  const OgdenFit fit = fit_ogden(data, arguments.residual == "absolute" ? Residual::absolute : Residual::relative);
-  json result = head(arguments);
-  result.update(to_json(fit, data));
+  const CurveFit fit = fit_curves(data, options);
+  std::vector<ComparedModel> models;
+  if (arguments.compare) models = compare_models(data, options);
+  Uncertainty uncertainty;
+  if (arguments.intervals)
+    uncertainty = uncertainty_of(data, fit, {.level = arguments.level, .bootstrap = arguments.bootstrap});
+  json result = fit_head(arguments);
+  result.update(to_json(fit, data, stretches));
+  result["uncertainty"] = arguments.intervals ? to_json(uncertainty) : json(nullptr);
+  if (arguments.compare) result["comparison"] = to_json(models, stretches);
   result["cost"] = clock.cost();
-  if (!common.out.empty()) write_file((std::filesystem::path(common.out) / "result.json").string(), written(result));
-
-  if (common.json) put(written(result));
-  if (!common.json && !common.quiet) put(fit_as_text(fit, data));
+  deliver(result, common);
+  if (!common.json && !common.quiet) put(fit_as_text(fit, data, stretches));
+  if (!common.json && !common.quiet && arguments.intervals) put(uncertainty_as_text(uncertainty, fit));
+  if (!common.json && !common.quiet && arguments.compare) put(comparison_as_text(models, stretches));
   if (fit.minima.empty()) {
     fmt::print(stderr, "percal: {}\n", findings(fit)[0]);
     return Exit::outcome_not_reached;

@@ -38,17 +38,45 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts) {
 
 CLI::App* add_fit(CLI::App& app, FitArguments& fit, Common& common) {
   auto* command =
-      app.add_subcommand("fit", "stress-stretch CSV files -> Ogden mu and alpha, every minimum, standard errors");
+      app.add_subcommand("fit", "stress-stretch CSV files -> moduli and exponents, every minimum, models compared");
   command->add_option("files", fit.files, "CSV files")->required();
   command->add_option("--mode", fit.mode,
                       "deformation where the file has no mode column: uniaxial, equibiaxial, planar, shear");
-  command->add_option("--residual", fit.residual, "relative (Guha 2009, Eq. 3-4) or absolute")
-      ->check(CLI::IsMember({"relative", "absolute"}));
+  command->add_option("--model", fit.model, "ogden (one term), ogden2, ogden3, neo-hooke or mooney-rivlin")
+      ->check(CLI::IsMember({"ogden", "ogden2", "ogden3", "neo-hooke", "mooney-rivlin"}));
+  command->add_flag("--compare", fit.compare,
+                    "all models side by side: AICc, R^2 of each test, prediction of tests left out, stability");
+  command->add_option("--residual", fit.residual,
+                      "relative (Guha 2009, Eq. 3-4), absolute, or error (over the points' standard errors)")
+      ->check(CLI::IsMember({"relative", "absolute", "error"}));
+  command->add_option("--weights", fit.weights,
+                      "points: each counts the same; tests: each test does; NAME=NUMBER,...: tests by their shares");
+  command->add_option("--loss", fit.loss, "squares, or a robust loss: huber, cauchy")
+      ->check(CLI::IsMember({"squares", "huber", "cauchy"}));
+  command->add_flag("--unconstrained", fit.unconstrained, "single moduli of a sum may be negative");
+  command->add_option("--stable", fit.stable, "stretches LOW:HIGH over which stability is looked at");
   command->add_option("--x", fit.x, "column of stretch, strain or shear");
   command->add_option("--y", fit.y, "column of stress");
+  command->add_option("--error", fit.error, "column of the stress's standard error");
   command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)")
       ->allow_extra_args(false);
-  command->footer("Example: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute");
+  command->add_flag("--intervals,!--no-intervals", fit.intervals,
+                    "profile-likelihood intervals of every parameter (default: yes)");
+  command->add_option("--level", fit.level, "confidence level of the intervals (default: 0.95)")
+      ->check(CLI::Range(0.5, 0.9999));
+  command->add_option("--bootstrap", fit.bootstrap, "replicates of each kind of bootstrap (default: none)")
+      ->check(CLI::Range(0, 1000000));
+  auto* rate_factor = command->add_flag("--rate-factor", fit.rate_factor,
+                                        "one factor between two curves of one solid: files LOW_RATE HIGH_RATE");
+  command->add_option("--rate-column", fit.rate_column, "with --rate-factor and one file: the column of the rate")
+      ->needs(rate_factor);
+  for (const char* other : {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap"})
+    rate_factor->excludes(other);
+  command->footer(
+      "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
+      "          percal fit data/public/treloar1944_rubber_primary.csv --compare --weights tests\n"
+      "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
+      "data/synthetic/gelatin_12wt_highrate.csv");
   add_common(*command, common, false);
   command->get_option("--out")->description("folder for result.json (default: nothing is written)");
   return command;
@@ -92,6 +120,17 @@ CLI::App* add_identify(CLI::App& app, IdentifyArguments& identify, Common& commo
       "identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
   command->add_option("job", identify.job, "TOML job")->required();
   command->footer("Example: percal identify data/guha2009/skin.toml");
+  add_common(*command, common, true);
+  return command;
+}
+
+CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common) {
+  auto* command = app.add_subcommand(
+      "calibrate", "curves and depths of shots together -> free parameters with intervals, ridges, predictions, advice");
+  command->add_option("job", calibrate.job, "TOML job")->required();
+  command->add_option("--budget", calibrate.budget, "wall time to keep to, as 60s or 5min: the best answer within it");
+  command->add_flag("--details", calibrate.details, "print every shot and every fresh run");
+  command->footer("Example: percal calibrate data/synthetic/joint.toml --budget 60s");
   add_common(*command, common, true);
   return command;
 }
@@ -193,12 +232,14 @@ Exit run(int argc, char** argv) {
   ScaleArguments scale;
   ImpactArguments impact;
   IdentifyArguments identify;
+  CalibrateArguments calibrate;
   StudyArguments study;
   CardArguments card;
   auto* fit_command = add_fit(app, fit, common);
   auto* scale_command = add_scale(app, scale, common);
   auto* impact_command = add_impact(app, impact, common);
   auto* identify_command = add_identify(app, identify, common);
+  auto* calibrate_command = add_calibrate(app, calibrate, common);
   auto* study_command = add_study(app, study, common);
   add_card(app, card, common);
   try {
@@ -210,9 +251,10 @@ Exit run(int argc, char** argv) {
   Progress::enable(!common.quiet);
   if (*fit_command) return run_fit(fit, common);
   if (*scale_command) return run_scale(scale, common);
-  if (*impact_command || *identify_command || *study_command) resume_after_interruption();
+  if (*impact_command || *identify_command || *calibrate_command || *study_command) resume_after_interruption();
   if (*impact_command) return run_impact(impact, common);
   if (*identify_command) return run_identify(identify, common);
+  if (*calibrate_command) return run_calibrate(calibrate, common);
   if (*study_command) return run_study(study, common);
   return run_card_write(card, common);
 }

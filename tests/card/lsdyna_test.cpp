@@ -31,6 +31,13 @@ TEST(LsDynaCard, ConvertsTheModulusAndTheBulkModulus) {
   EXPECT_EQ(columns(line_under(card, limits, 1), 3), "0.7");          // MXEPS
 }
 
+TEST(LsDynaCard, SaysWhereTheSolidIsStable) {
+  std::string comments;
+  for (const auto& line : lines_of(lsdyna_card(skin(), unit_system("si"))))
+    if (line.starts_with('$')) comments += line.substr(1);
+  EXPECT_THAT(comments, HasSubstr("Drucker-stable in uniaxial, equibiaxial and planar deformation"));
+}
+
 TEST(LsDynaCard, WritesTheKnownUnitSystems) {
   const auto mu1 = [](const std::string& units) {
     return columns(line_under(lsdyna_card(skin(), unit_system(units)), moduli, 1), 0);

@@ -23,6 +23,16 @@ class FitProgram : public test::Program {
 
 std::string public_file(const std::string& name) { return std::string(PERCAL_DATA "/public/") + name; }
 
+// Every key is on the page of the format. Keys that are names of tests and deformations, and the arguments, are not.
+void expect_documented(const json& value, const std::string& page) {
+  if (value.is_array() && !value.empty()) expect_documented(value[0], page);
+  if (!value.is_object()) return;
+  for (const auto& [key, inner] : value.items()) {
+    EXPECT_NE(page.find(key), std::string::npos) << key;
+    if (key != "input" && key != "r2_of_test" && key != "points_of_mode") expect_documented(inner, page);
+  }
+}
+
 TEST_F(FitProgram, TheJsonHoldsTreloarsTwoMinimaBestFirstAndNothingElse) {
   const Ended run = fit({treloar, "--where", "mode=UT", "--residual", "absolute", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
@@ -141,6 +151,65 @@ TEST_F(FitProgram, TheTableShowsBothMinimaAndSaysTheSignIsOpen) {
   EXPECT_EQ(run.code, 0);
   for (const char* part : {"-7.785", "3.901", "0.555 %", "negative alpha", "24 points used", "±"})
     EXPECT_THAT(run.out, HasSubstr(part));
+}
+
+TEST_F(FitProgram, ModelsStandSideBySide) {
+  const Ended run = fit({treloar, "--compare", "--weights", "tests", "--residual", "absolute", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(run.out);
+  ASSERT_EQ(result["comparison"].size(), 5u);
+  const json& three = result["comparison"][4];
+  EXPECT_EQ(three["model"], "ogden3");
+  EXPECT_EQ(three["aicc_above_lowest"], 0);
+  EXPECT_GT(three["minima"][0]["r2_of_test"]["planar"].get<double>(), 0.99);
+  EXPECT_LT(three["left_out_mean_relative_deviation"], result["comparison"][2]["left_out_mean_relative_deviation"]);
+  EXPECT_EQ(three["stability"]["stable_throughout"], true);
+  EXPECT_EQ(result["tests"].size(), 3u);
+  const Ended table = fit({treloar, "--compare"});
+  for (const char* part : {"neo-hooke", "mooney-rivlin", "ogden3", "AICc", "left-out tests"})
+    EXPECT_THAT(table.out, HasSubstr(part));
+}
+
+TEST_F(FitProgram, OneModelIsPickedAndItsStableRangePrinted) {
+  const Ended run = fit({treloar, "--model", "mooney-rivlin", "--unconstrained", "--residual", "absolute", "--stable",
+                         "0.5:9", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(run.out);
+  const json& best = result["minima"][0];
+  EXPECT_LT(best["C01_Pa"], 0);
+  EXPECT_NEAR(best["C10_Pa"].get<double>() * 2 + best["C01_Pa"].get<double>() * 2, best["mu_Pa"].get<double>(), 1e-6);
+  EXPECT_EQ(best["alpha"], nullptr);
+  const json& uniaxial = result["stability"]["stretches"]["uniaxial"];
+  EXPECT_NEAR(uniaxial["high"].get<double>(),
+              std::min(9.0, std::sqrt(-best["C10_Pa"].get<double>() / best["C01_Pa"].get<double>())), 1e-6);
+  EXPECT_EQ(result["stability"]["searched_low"], 0.5);
+  EXPECT_THAT(fit({treloar, "--model", "ogden2"}).out, HasSubstr("Drucker-stable"));
+}
+
+TEST_F(FitProgram, StandardErrorsOfTheFileWeighThePoints) {
+  const std::string meat = public_file("stpierre2023_meat_tension_compression_shear.csv");
+  const Ended run = fit({meat, "--where", "material_label=ac", "--residual", "error", "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(run.out);
+  EXPECT_EQ(result["points"], 76);
+  EXPECT_EQ(result["left_out_no_error"], 2);
+  EXPECT_EQ(result["sources"][0]["error"], "sem_kPa");
+  EXPECT_EQ(fit({treloar, "--residual", "error"}).code, 2);
+}
+
+TEST_F(FitProgram, OptionsThatSayNothingAreRefused) {
+  for (const std::string weights : {"planar", "planar=0", "planar=x", "=2", "nowhere=2", "planar=1 2", ""})
+    EXPECT_EQ(fit({treloar, "--weights", weights}).code, 2) << weights;
+  EXPECT_EQ(fit({treloar, "--weights", "planar=2,UT=0.5"}).code, 0);
+  for (const std::string stable : {"3", "0:2", "1.5:2", "0.5:0.9", "a:b", "0.3:3x"})
+    EXPECT_EQ(fit({treloar, "--stable", stable}).code, 2) << stable;
+  EXPECT_EQ(fit({treloar, "--model", "yeoh"}).code, 2);
+  EXPECT_EQ(fit({treloar, "--loss", "cauchy"}).code, 0);
+}
+
+TEST_F(FitProgram, ThePageOfTheFormatNamesEveryKey) {
+  const Ended run = fit({treloar, "--compare", "--model", "mooney-rivlin", "--json"});
+  expect_documented(json::parse(run.out), text_of(PERCAL_DATA "/../docs/formats/fit.md"));
 }
 
 TEST_F(FitProgram, NoPositiveModulusIsANamedOutcome) {

@@ -58,6 +58,27 @@ TEST(ReadCurves, ACauchyStressIsRecognisedAndConverted) {
   EXPECT_DOUBLE_EQ(curves("gamma,cauchy_stress_kPa\n1.5,3\n", {.mode = "SS"}).points[0].nominal_stress, 3000);
 }
 
+TEST(ReadCurves, StandardErrorsAreFoundByTheirNamesAndInTheirUnit) {
+  const auto error = [](const std::string& header, const CurveColumns& columns = {.mode = "UT"}) {
+    return curves("stretch,stress_kPa," + header + "\n1.5,3,20\n", columns).points[0].standard_error;
+  };
+  for (const std::string header : {"sem_Pa", "se_Pa", "stress_sd_Pa", "std_error [Pa]", "stress_uncertainty_Pa"})
+    EXPECT_EQ(error(header), 20) << header;
+  EXPECT_EQ(error("sem_kPa"), 20000);
+  EXPECT_EQ(error("strain_sd [%]"), std::nullopt);
+  EXPECT_EQ(error("scatter_Pa"), std::nullopt);
+  EXPECT_EQ(error("scatter_Pa", {.mode = "UT", .error = "scatter"}), 20);
+  const auto cauchy = curves("stretch,cauchy_stress_kPa,sem_kPa\n2,3,1\n", {.mode = "UT"});
+  EXPECT_EQ(cauchy.points[0].standard_error, 500);
+  EXPECT_EQ(cauchy.sources[0].error, "sem_kPa");
+  const auto two = curves("stretch,stress_kPa,stress_sd_kPa,sem_kPa\n2,3,1,7\n", {.mode = "UT"});
+  EXPECT_EQ(two.points[0].standard_error, 1000);
+  const auto some = curves("stretch,stress_kPa,sem_kPa\n2,3,\n2.5,4,0.5\n", {.mode = "UT"});
+  EXPECT_EQ(some.points[0].standard_error, std::nullopt);
+  EXPECT_EQ(some.points[1].standard_error, 500);
+  EXPECT_THAT(refusal("stretch,stress_kPa,sem_kPa\n2,3,-1\n", {.mode = "UT"}), HasSubstr("c.csv:2: sem_kPa"));
+}
+
 TEST(ReadCurves, GeneralBiaxialTakesBothStretches) {
   const CurveColumns along_y{.mode = "general_biaxial", .x = "stretch_y", .y = "cauchy_yy_MPa"};
   const auto data = curves("stretch_x,stretch_y,cauchy_xx_MPa,cauchy_yy_MPa\n1.1,1.25,1,2\n", along_y);
@@ -107,6 +128,8 @@ TEST(ReadCurves, SeveralFilesAreOneSetOfPoints) {
       read_curves({folder + "treloar1944_rubber_primary.csv", folder + "meunier2008_silicone_modes.csv"}, {});
   EXPECT_EQ(data.points.size(), 53u + 66u);
   EXPECT_EQ(data.sources[1].points, 66);
+  EXPECT_EQ(data.points[52].source, 0);
+  EXPECT_EQ(data.points[53].source, 1);
 }
 
 TEST(ReadCurves, EveryPublicFileOfCurvesIsReadAsItIs) {

@@ -94,6 +94,46 @@ TEST_F(StoreTest, TheFirstRowOfAKeyStays) {
   EXPECT_EQ(store.size(), 1);
 }
 
+TEST_F(StoreTest, RowsWithAPrefixComeInTheOrderOfTheirKeys) {
+  Store store(file);
+  for (const char* key : {"b", "ab", "a%", "aB", "a", "A", "a\xc3\xb5"}) store.put(key, {"stopped", key, 0.5});
+  std::string order;
+  for (const auto& [key, evaluation] : store.with_prefix("a")) {
+    EXPECT_EQ(evaluation, (StoredEvaluation{"stopped", key, 0.5}));
+    order += key + " ";
+  }
+  EXPECT_EQ(order, "a a% aB ab a\xc3\xb5 ");
+  EXPECT_EQ(store.with_prefix("a%").size(), 1u);
+  EXPECT_EQ(store.with_prefix("").size(), 7u);
+  EXPECT_TRUE(store.with_prefix("x").empty());
+}
+
+TEST_F(StoreTest, TheFirstNoteOfANameStays) {
+  {
+    Store store(file);
+    EXPECT_EQ(store.note("rows"), std::nullopt);
+    store.put_note("rows", "one\ntwo");
+    store.put_note("rows", "three");
+    store.put_note("none", "");
+  }
+  const Store store(file);
+  EXPECT_EQ(store.note("rows"), "one\ntwo");
+  EXPECT_EQ(store.note("none"), "");
+  EXPECT_EQ(store.size(), 0);
+}
+
+TEST_F(StoreTest, AStoreMadeWithoutNotesGetsThem) {
+  { Store(file).put("key", stopped); }
+  sqlite3* older = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &older), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(older, "DROP TABLE notes", nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(older);
+  Store store(file);
+  store.put_note("name", "text");
+  EXPECT_EQ(store.note("name"), "text");
+  EXPECT_TRUE(store.find("key"));
+}
+
 TEST_F(StoreTest, AMovedStoreStillWorks) {
   Store first(file);
   Store second(std::move(first));

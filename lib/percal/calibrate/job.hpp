@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "percal/fit/curve_data.hpp"
 #include "percal/estimate/least_squares.hpp"
+#include "percal/fit/curve_data.hpp"
 #include "percal/material/conventions.hpp"
 #include "percal/scene/scene.hpp"
 
@@ -30,24 +30,26 @@ struct CalibrationMaterial {
   std::string name;
   double density = 0;  // kg/m3
   MaterialNumber mu, alpha, erosion_strain;
-  std::optional<double> rate_factor;  // high-rate over quasi-static modulus: the quasi-static moduli are reported where it is there
-  double rate_factor_error = 0;       // relative standard deviation
+  std::optional<double>
+      rate_factor;  // high-rate over quasi-static modulus: the quasi-static moduli are reported where it is there
+  double rate_factor_error = 0;         // relative standard deviation
+  std::optional<double> curve_modulus;  // Pa, true, of its stress-stretch curve: shown beside ours, used nowhere
 };
 
 // A sphere shot into a material.
 struct MeasuredShot {
   std::string label;
-  int material = 0;                        // of CalibrationJob::materials
-  double radius = 0, density = 0;          // m, kg/m3: of the sphere
-  double speed = 0, speed_error = 0;       // m/s, standard deviation
-  double layer_depth = 0, layer_width = 0; // m
-  double depth = 0;                        // m, measured
-  double depth_error = 0;                  // m, standard deviation of this depth where one is known
-  bool at_least = false;                   // the particle was only seen to go this deep or deeper
-  bool used = true;                        // fitted; else only predicted
-  int group = 0;                           // scatter group
-  int set = 0;                             // of CalibrationJob::sets
-  std::map<std::string, std::string> row;  // its row of the table, for filters of cross-validation
+  int material = 0;                         // of CalibrationJob::materials
+  double radius = 0, density = 0;           // m, kg/m3: of the sphere
+  double speed = 0, speed_error = 0;        // m/s, standard deviation
+  double layer_depth = 0, layer_width = 0;  // m
+  double depth = 0;                         // m, measured
+  double depth_error = 0;                   // m, standard deviation of this depth where one is known
+  bool at_least = false;                    // the particle was only seen to go this deep or deeper
+  bool used = true;                         // fitted; else only predicted
+  int group = 0;                            // scatter group
+  int set = 0;                              // of CalibrationJob::sets
+  std::map<std::string, std::string> row;   // its row of the table, for filters of cross-validation
 };
 
 struct ShotSet {
@@ -60,19 +62,19 @@ struct MeasuredCurve {
   std::string name;
   int material = 0;
   CurveData data;
-  double relative_error = 0;   // of one stress, standard deviation; scatter is estimated beside it where the job says so
+  double relative_error = 0;  // of one stress, standard deviation; scatter is estimated beside it where the job says so
   double rate_factor = 1;
   double rate_factor_error = 0;
   int group = 0;
-  bool synthetic = false;      // generated: said wherever it is used
+  bool synthetic = false;  // generated: said wherever it is used
 };
 
 // One way to read the data: which numbers are held, and the choices that depths cannot settle.
 struct CalibrationReading {
   std::string name;
-  std::map<int, double> held;  // parameter -> natural value
+  std::map<int, double> held;                                    // parameter -> natural value
   ModulusConvention convention = ModulusConvention::true_shear;  // what mu as given means
-  StrainMeasure measure = StrainMeasure::engineering;
+  StrainMeasure measure = StrainMeasure::engineering;            // of the held erosion strains, as the job wrote them
   double contact_stiffness = 0.6;
 };
 
@@ -85,14 +87,25 @@ struct CrossValidation {
   std::optional<double> goal;  // mean relative deviation; said beside the result
 };
 
+// Pairs of a modulus and an erosion strain that somebody else found, to be drawn beside the ridge. They are used nowhere else.
+struct PublishedPair {
+  double mu = 0;  // Pa, as given
+  double erosion_strain = 0;
+};
+struct PublishedPairs {
+  std::string name;
+  int modulus = 0;  // job parameter beside whose ridge they are drawn
+  std::vector<PublishedPair> pairs;
+};
+
 // How runs are spent on the emulator.
 struct TrainingSettings {
   int coarse = 8, fine = 16, verify = 20;  // elements per radius
   int initial = 160;                       // runs of the first, space-filling design, coarse
   int batch = 40;                          // runs of each later round
-  int most = 1200;                         // runs altogether, for each emulator
-  double fine_share = 0.15;                // of each round
-  double accuracy = 0.5;                   // stop where the emulator's error is below this share of the data's
+  int most = 900;                          // runs altogether, for each emulator
+  double fine_share = 0.25;                // of each round
+  double accuracy = 0.15;                  // stop where the emulator's error is below this share of the data's
   double failures_tolerated = 0.5;         // share of runs without a depth; above it the job stops and says why
   int verify_replicates = 1;
   unsigned seed = 20090401;
@@ -108,6 +121,7 @@ struct CalibrationJob {
   std::vector<MeasuredCurve> curves;
   std::vector<CalibrationReading> readings;  // never empty
   std::vector<CrossValidation> cross_validations;
+  std::vector<PublishedPairs> published;
   TrainingSettings training;
   SolverScene solver;
   bool dehn = true;  // the closed form beside it

@@ -20,13 +20,13 @@ struct Estimate {
 
 // A depth that a model gives for a shot, and what a new shot of the kind would do.
 struct ShotDepth {
-  int shot = 0;                        // of CalibrationJob::shots
-  double depth = 0;                    // m
-  double model_error = 0;              // relative standard deviation of the model itself (emulator)
-  double low = 0, high = 0;            // m: prediction interval of one shot (parameters, solver noise, scatter)
-  bool fitted = true;                  // it was among the data of this fit
+  int shot = 0;              // of CalibrationJob::shots
+  double depth = 0;          // m
+  double model_error = 0;    // relative standard deviation of the model itself (emulator)
+  double low = 0, high = 0;  // m: prediction interval of one shot (parameters, solver noise, scatter)
+  bool fitted = true;        // it was among the data of this fit
   // ours / measured - 1; none for a shot of which only a least depth is known.
-  std::optional<double> deviation;
+  std::optional<double> deviation = {};
 };
 
 // Mean of |deviation| over the shots of a set or filter, and how many of the measured depths lie within the intervals.
@@ -42,18 +42,18 @@ struct Deviation {
 struct FreshRun {
   int shot = 0;
   int elements_per_radius = 0;
-  std::optional<double> depth;  // m; none where it did not stop
+  std::optional<double> depth = {};  // m; none where it did not stop
   std::string outcome;
-  double emulated = 0;          // m, on the same mesh
-  double standardised = 0;      // (ln depth - ln emulated) over the emulator's standard deviation, noise included
+  double emulated = 0;      // m, on the same mesh
+  double standardised = 0;  // (ln depth - ln emulated) over the emulator's standard deviation, noise included
 };
 
 struct CrossValidationResult {
   std::string name;
-  int fitted = 0;                    // shots that the fit saw
-  std::vector<ShotDepth> shots;      // predicted
-  Deviation fit, prediction;
-  std::optional<double> goal;
+  int fitted = 0;                     // shots that the fit saw
+  std::vector<ShotDepth> shots = {};  // predicted
+  Deviation fit = {}, prediction = {};
+  std::optional<double> goal = {};
 };
 
 // Shares of the variance of one quantity.
@@ -64,42 +64,48 @@ struct ErrorSource {
 };
 struct ErrorBudget {
   std::string quantity;
-  std::vector<ErrorSource> sources;
-  double standard_deviation = 0;  // of ln of the quantity, all sources
-  Estimate total;                 // natural value with the interval of all sources
+  std::vector<ErrorSource> sources = {};
+  double standard_deviation = 0;      // of ln of the quantity, all sources
+  Estimate total = {};                // natural value with the interval of all sources
+  std::string most_influential = {};  // the datum that moves it most, and d ln quantity / d ln depth of it
+  double influence = 0;
 };
 
-// The moduli of a material under one reading, in every convention. Pa.
+// The moduli of a material under one reading, in both conventions, Pa: mu, and LS-DYNA's MU1 = 2 mu/alpha. E = 3 mu, or 3 MU1 as
+// whoever takes MU1 for a shear modulus would say.
 struct MaterialModuli {
   std::string material;
-  Estimate mu_as_given, mu_true;
-  std::optional<Estimate> mu_as_given_quasi_static, youngs_quasi_static_as_given, youngs_quasi_static_true;  // E = 3 mu
+  Estimate mu_true = {}, mu_over_alpha = {};
+  std::optional<Estimate> youngs_quasi_static_true = {},
+                          youngs_quasi_static_over_alpha = {};  // where a rate factor is known
+  std::optional<double> curve_modulus;                          // the job's, beside it
 };
 
 struct ReadingResult {
-  int reading = 0;  // of CalibrationJob::readings
-  std::vector<Minimum> minima;             // best first; parameters: those of the job that are not held
-  std::vector<int> parameters;             // job parameter of each fitted one
+  int reading = 0;              // of CalibrationJob::readings
+  std::vector<Minimum> minima;  // best first; parameters: those of the job that are not held
+  std::vector<int> parameters;  // job parameter of each fitted one
   std::vector<ProfileInterval> intervals;
   std::optional<Bootstrap> bootstrap;
   std::vector<Combination> combinations;
-  std::optional<RidgeMap> ridge;           // modulus over erosion strain, where both are fitted
-  std::vector<ShotDepth> shots;            // every shot of the job
-  std::vector<Deviation> sets;             // by set
+  std::vector<RidgeMap>
+      ridges;  // each fitted modulus over the erosion strain of its material, where that is fitted too
+  std::vector<ShotDepth> shots;  // every shot of the job
+  std::vector<Deviation> sets;   // by set
   std::vector<FreshRun> fresh;
   std::vector<CrossValidationResult> cross_validations, leave_one_out;
   std::vector<MaterialModuli> moduli;
   std::vector<ErrorBudget> budgets;
-  std::vector<Advice> advice;              // what to measure next
-  double mesh_error = 0;                   // relative: depth on no mesh over depth on the finest, less 1, mean over the shots
-  double fresh_deviation = 0;              // mean of |fresh/measured - 1| over the fitted shots
+  std::vector<Advice> advice;  // what to measure next
+  double mesh_error = 0;       // relative: depth on no mesh over depth on the finest, less 1, mean over the shots
+  double fresh_deviation = 0;  // mean of |fresh/measured - 1| over the fitted shots
   std::vector<std::string> findings;
 };
 
-// The closed form fitted to the same shots, with the same cross-validations.
+// The closed form fitted to the same shots, with the same cross-validations: one c, and s of each material.
 struct DehnResult {
-  std::string material;
-  Minimum minimum;                         // ln c, ln s
+  std::vector<FreeParameter> parameters;  // "c", and "s of MATERIAL" in Pa
+  Minimum minimum;
   std::vector<ProfileInterval> intervals;
   std::vector<ShotDepth> shots;
   std::vector<Deviation> sets;
@@ -108,14 +114,14 @@ struct DehnResult {
 
 // One emulator: the choices it stands for, what it was trained on, its own error.
 struct EmulatorReport {
-  std::string setting;                     // "engineering strain, contact stiffness 0.6"
+  std::string setting;  // "engineering strain, contact stiffness 0.6"
   std::vector<int> readings;
-  int runs = 0, reused = 0, foreign = 0;   // done here, taken from the store, of these not of this job's design
-  std::map<std::string, int> outcomes;     // of its design, by name
+  int runs = 0, reused = 0, foreign = 0;  // done here, taken from the store, of these not of this job's design
+  std::map<std::string, int> outcomes;    // of its design, by name
   EmulatorSettings settings;
   double leave_one_out = 0, standardised_deviation = 0, coverage95 = 0;
   double error_at_optimum = 0, data_error = 0;  // relative, mean over the fitted shots: why it stopped
-  std::string stopped;                     // why no more runs were made
+  std::string stopped;                          // why no more runs were made
   // After each round: runs so far, CPU seconds so far, error at the optimum.
   struct Round {
     int runs = 0;
@@ -128,15 +134,15 @@ struct CalibrationCost {
   long runs = 0, reused = 0;
   double wall_seconds = 0, cpu_seconds = 0;
   std::optional<double> budget_seconds;
-  std::string advice;                      // what more time would buy
+  std::string advice;  // what more time would buy
   std::string instruction_level;
 };
 
 struct CalibrationResult {
   std::vector<EmulatorReport> emulators;
   std::vector<ReadingResult> readings;
-  std::vector<DehnResult> dehn;
-  std::vector<std::string> findings;       // about the whole
+  std::optional<DehnResult> dehn;
+  std::vector<std::string> findings;  // about the whole
   CalibrationCost cost;
 };
 

@@ -4,6 +4,7 @@
 
 #include "percal/base/version.hpp"
 #include "percal/card/field.hpp"
+#include "percal/material/stability.hpp"
 
 namespace percal {
 namespace {
@@ -15,6 +16,11 @@ struct NamedMeasure {
 constexpr NamedMeasure measures[] = {{StrainMeasure::engineering, "engineering"},
                                      {StrainMeasure::true_strain, "true"},
                                      {StrainMeasure::green_lagrange, "Green-Lagrange"}};
+
+std::string stability(const CardMaterial& material) {
+  const StretchRange searched;
+  return stability_sentence(stable_ranges({{{material.mu_true, material.alpha}}}, searched), searched);
+}
 
 }  // namespace
 
@@ -34,6 +40,7 @@ std::string card_header(const std::string& prefix, const CardMaterial& material,
   add(fmt::format("bulk modulus K: {:.9g} Pa = {:.6g} mu; Poisson's ratio: {:.12g}", material.bulk_modulus, ratio,
                   poisson_ratio(ratio)));
   add(fmt::format("density: {:.9g} kg/m3", material.density));
+  add(stability(material));
   return text;
 }
 

@@ -13,7 +13,7 @@ struct ModulusField {
 };
 
 // The comment lines that open every card: version, name, unit system, convention of the modulus with both numbers, bulk
-// modulus, density. `prefix` starts each line ("$", "**").
+// modulus, density, the stretches at which the solid is stable. `prefix` starts each line ("$", "**").
 std::string card_header(const std::string& prefix, const CardMaterial& material, const UnitSystem& units,
                         const ModulusField& modulus);
 

@@ -11,11 +11,12 @@ namespace percal {
 
 struct ProfilePoint {
   double searched = 0;
-  double rise = 0;  // of the objective above the minimum, the others fitted anew
-  Eigen::VectorXd others;
+  double rise = 0;         // of the objective above the minimum, the others fitted anew
+  Eigen::VectorXd others;  // all parameters at this point, this one among them
 };
 
-// An end that the bound cut off is open: the data say nothing against going on.
+// An end that a bound cut off is open, its own or that of another parameter which would have to go on as well: the data say
+// nothing against it.
 struct Interval {
   double low = 0, high = 0;  // natural values
   bool low_open = false, high_open = false;
@@ -25,18 +26,27 @@ struct ProfileInterval {
   int parameter = 0;
   Interval interval;
   std::vector<ProfilePoint> profile;  // from low to high
-  // Both ends open, or wider than a factor of `hopeless_factor` on a logarithmic scale.
+  // False where both ends are its own bounds, or wider than a factor of `hopeless_factor` on a logarithmic scale.
   bool identifiable = true;
+  double level = 0.95;
+  double degrees_of_freedom = 0;  // of the threshold's Student t; infinite where no scatter is estimated
 };
 inline constexpr double hopeless_factor = 4;
 
-// One for each parameter, at a confidence level such as 0.95. With an estimated scatter the threshold is that of Student's t with
-// the minimum's degrees of freedom, else of the normal distribution.
+// One for each parameter, at a confidence level such as 0.95: where the rise of the objective meets t^2, Student's t with the
+// effective degrees of freedom of that parameter's variance. The weights stay those of the minimum. An interval is the one around
+// this minimum; another minimum may lie beyond it.
 std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem, const Minimum& minimum, double level,
                                                const SearchOptions& options);
 
+// Degrees of freedom of the variance of weight . parameters (Satterthwaite): n - p where one scatter is estimated and no error is
+// known, more where known errors carry a part of it, infinite where no scatter is estimated. At least 1.
+double effective_degrees_of_freedom(const CalibrationProblem& problem, const Minimum& minimum,
+                                    const Eigen::VectorXd& weight);
+
 // Data drawn anew from the fitted model with the fitted errors (parametric), or residuals drawn with return (residual), each
-// fitted from the minimum. The same seed gives the same numbers.
+// fitted from the minimum with its weights. A prior is drawn anew as well, and an "at least" whose drawn number is smaller is
+// from then on a plain measurement. The same seed gives the same numbers.
 enum class BootstrapKind { parametric, residual };
 struct Bootstrap {
   Eigen::MatrixXd searched;         // replicates x parameters
@@ -47,7 +57,8 @@ Bootstrap bootstrap(const CalibrationProblem& problem, const Minimum& minimum, B
                     double level, unsigned seed, const SearchOptions& options);
 
 // The combinations of parameters that the data determine, best first: eigenvectors of the information matrix (searched scale,
-// priors left out). Its standard deviation says how well; above ln(hopeless_factor)/4 it is not determined.
+// priors left out). Its standard deviation says how well, and is no larger than 1e6; above ln(hopeless_factor)/4 it is not
+// determined.
 struct Combination {
   Eigen::VectorXd weight;  // of each searched parameter, unit length
   double standard_deviation = 0;
@@ -61,13 +72,16 @@ Eigen::MatrixXd correlation(const Minimum& minimum);
 std::vector<std::string> findings(const CalibrationProblem& problem, const std::vector<Minimum>& minima,
                                   const std::vector<ProfileInterval>& intervals);
 
-// A level set of the objective over two parameters, the others fitted anew at every point: the ridge as it is.
+// A level set of the objective over two parameters, the others fitted anew at every point: the ridge as it is. The grid is even on
+// the searched scale, over the part of the box that holds the region.
+inline constexpr double no_answer_rise = 1e6;
 struct RidgeMap {
-  int first = 0, second = 0;      // parameters
-  std::vector<double> x, y;       // natural grid values
-  Eigen::MatrixXd rise;           // y.size() x x.size()
-  double threshold = 0;           // of the 95 % region
-  std::vector<std::vector<std::array<double, 2>>> contours;  // at the threshold, natural values
+  int first = 0, second = 0;  // parameters
+  std::vector<double> x, y;   // natural grid values
+  Eigen::MatrixXd rise;       // y.size() x x.size()
+  double threshold = 0;       // of the 95 % region
+  // At the threshold, natural values: closed outlines of the region around the minimum, along the box where it cuts them.
+  std::vector<std::vector<std::array<double, 2>>> contours;
 };
 RidgeMap ridge_map(const CalibrationProblem& problem, const Minimum& minimum, int first, int second, int grid,
                    const SearchOptions& options);

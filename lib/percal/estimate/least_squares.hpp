@@ -15,8 +15,8 @@ struct FreeParameter {
   std::string unit;          // SI, for messages; empty where it has none
   double low = 0, high = 0;  // natural values
   bool logarithmic = true;
-  std::optional<double> prior;  // natural value
-  double prior_error = 0;       // standard deviation on the searched scale: relative where logarithmic
+  std::optional<double> prior = {};  // natural value
+  double prior_error = 0;            // standard deviation on the searched scale: relative where logarithmic
 
   double searched(double natural) const;
   double natural(double searched) const;
@@ -44,6 +44,7 @@ struct ModelAnswer {
   Eigen::MatrixXd jacobian;    // data x parameters, d value / d searched parameter
   Eigen::MatrixXd covariance;  // data x data
 };
+// The Jacobian comes with the values. Where a model has no answer, its values are not finite.
 enum class Want { values, values_and_covariance };
 // May be called from one thread only.
 using CalibrationModel = std::function<ModelAnswer(const Eigen::VectorXd& searched, Want want)>;
@@ -57,27 +58,30 @@ struct CalibrationProblem {
 
 struct Minimum {
   Eigen::VectorXd searched;
-  double objective = 0;              // sum of squared whitened residuals, priors included
-  std::vector<double> scatter;       // of each group, standard deviation
-  Eigen::VectorXd residual;          // model - datum, on the data's scale; 0 for an "at least" that is met
-  Eigen::MatrixXd covariance;        // of the parameters, linearised, searched scale; infinite entries never: see rank
-  Eigen::MatrixXd information;       // J^T W J with the priors
+  double objective = 0;         // sum of squared whitened residuals, priors included
+  double deviance = 0;          // objective + ln det V: what minima with scatters of their own are compared by
+  std::vector<double> scatter;  // of each group, standard deviation
+  Eigen::VectorXd residual;     // model - datum, on the data's scale; 0 for an "at least" that is met
+  // Of the parameters, linearised, searched scale; 0 for held ones. Finite always: a direction that the data leave wider than
+  // the box has the box's width as its standard deviation.
+  Eigen::MatrixXd covariance;
+  Eigen::MatrixXd information;  // J^T W J with the priors
   std::vector<bool> at_bound;
   bool converged = false;
-  int degrees_of_freedom = 0;        // data + priors - parameters
+  int degrees_of_freedom = 0;  // data + priors - free parameters; an "at least" that is met is not counted
   int evaluations = 0;
 };
 
 struct SearchOptions {
   int global_evaluations = 4000;  // of NLopt, spread over the box
   int starts = 8;                 // of Ceres: the best separate points of the global search
-  unsigned seed = 20090401;
+  unsigned seed = 20090401;       // of what is drawn; the search itself draws nothing
   int scatter_rounds = 20;        // fixed-point rounds for scatter and model covariance
 };
 
-// Every distinct minimum, best first; never empty. Global search by NLopt over the box, then Ceres (Levenberg-Marquardt with the
-// model's derivatives) from its best points; the weights (known errors, estimated scatter, model covariance) are settled by
-// repetition. Throws BadInput where there are no data, or a bound is not ordered.
+// Every distinct minimum, least deviance first; never empty, but see `converged`. Global search by NLopt over the box, then Ceres
+// (Levenberg-Marquardt with the model's derivatives) from its best points; the weights (known errors, estimated scatter, model
+// covariance) are settled by repetition. Throws BadInput where there are no data, or a bound is not ordered.
 std::vector<Minimum> find_minima(const CalibrationProblem& problem, const SearchOptions& options);
 
 // Ceres alone from one point, with the weights settled in the same way; `held` (parameter index, searched value) stay as given.

@@ -1,17 +1,11 @@
-// The objective over alpha alone, mu solved for: where Ceres starts from.
+// The objective over alpha alone, mu solved for: where Ceres starts from with one term.
 #pragma once
 #include <vector>
 
-#include "percal/material/homogeneous.hpp"
+#include "percal/fit/curve_problem.hpp"
+#include "percal/fit/loss.hpp"
 
 namespace percal {
-
-// A residual is weight * (stress - mu f(alpha)): weight 1/stress makes it relative.
-struct WeightedPoint {
-  PrincipalPair pair;
-  double stress;  // in a scale that makes it about 1
-  double weight;
-};
 
 struct ProfileValue {
   double alpha;
@@ -19,8 +13,9 @@ struct ProfileValue {
   double objective;  // infinite where mu is not positive
 };
 
-// mu by linear least squares: docs/theory/curves.md (13)
-ProfileValue profile(const std::vector<WeightedPoint>& points, double alpha);
+// mu by linear least squares at 2 half + 1 values of alpha from -largest to largest: docs/theory/curves.md (13)
+std::vector<ProfileValue> profile(const std::vector<WeightedPoint>& points, const ScaledLoss& loss, double largest,
+                                  int half);
 
 // A local minimum of the scan lies between low and high.
 struct Bracket {
@@ -28,8 +23,8 @@ struct Bracket {
   double low, high;
 };
 
-// Every local minimum on [-largest, largest], the ends included. Two neighbours that no ridge higher than the rounding
-// error parts count as one.
-std::vector<Bracket> scan_alpha(const std::vector<WeightedPoint>& points, double largest, int steps);
+// Every local minimum of a scan, its ends included. Two neighbours that no ridge higher than the rounding error parts
+// count as one; `weighted_squares` is the sum of the squared weighted stresses, which the rounding error goes with.
+std::vector<Bracket> minima_of(const std::vector<ProfileValue>& scan, double weighted_squares);
 
 }  // namespace percal

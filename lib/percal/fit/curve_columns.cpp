@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "percal/material/conventions.hpp"
+#include "percal/text/csv_header.hpp"
 
 namespace percal {
 namespace {
@@ -79,6 +80,26 @@ Abscissa abscissa_of(const CsvTable& table, int x) {
                  "stretch, strain (engineering), true_strain, green_strain or gamma in the header");
 }
 
+bool is_pressure(const CsvColumn& column) {
+  try {
+    return column_unit(column.unit).dimension == dimension::pressure;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+std::optional<int> error_column(const CsvTable& table, int y) {
+  std::vector<int> all, of_y;
+  for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
+    const CsvColumn& column = table.columns[i];
+    if (i == y || !is_scatter(lower(column.name)) || !is_pressure(column)) continue;
+    all.push_back(i);
+    if (lower(column.name).starts_with(lower(table.columns[y].name) + "_")) of_y.push_back(i);
+  }
+  if (of_y.size() == 1) return of_y[0];
+  return all.size() == 1 ? std::optional(all[0]) : std::nullopt;
+}
+
 }  // namespace
 
 FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
@@ -91,6 +112,7 @@ FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
   found.cauchy = contains_any(lower(table.columns[found.y].name), {"cauchy", "true"});
   for (const char* name : {"mode", "deformation"})
     if (!found.mode) found.mode = table.find(name);
+  found.error = wanted.error.empty() ? error_column(table, found.y) : table.column(wanted.error);
   return found;
 }
 

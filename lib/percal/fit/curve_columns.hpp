@@ -14,12 +14,15 @@ struct FoundColumns {
   int x;
   int y;
   Abscissa abscissa;
-  bool cauchy;              // y is a Cauchy stress
-  std::optional<int> mode;  // the column of the deformation's word
+  bool cauchy;               // y is a Cauchy stress
+  std::optional<int> mode;   // the column of the deformation's word
+  std::optional<int> error;  // the column of the standard errors of y
 };
 
 // The columns the user named, or else those whose names say it: x with stretch, strain, gamma, lambda or shear; y with
-// stress, sigma or cauchy. Throws BadInput that lists the columns there are.
+// stress, sigma or cauchy. The standard errors are in a column with sem, se, sd, std, err, error or uncertainty among
+// its words and a pressure as its unit: the one that begins as y does where there are several, none where that does not
+// decide. Throws BadInput that lists the columns there are.
 FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted);
 
 // For general biaxial data: the column of the other stretch of a pair (stretch_y for stretch_x, lambda_2 for lambda_1).

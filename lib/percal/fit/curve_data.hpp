@@ -1,5 +1,6 @@
 // Points of stress-stretch curves, in SI, whatever files they came from.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,16 @@ namespace percal {
 
 struct StressPoint {
   Strained strained;
-  double nominal_stress;  // Pa; the shear stress in simple shear
+  double nominal_stress;                      // Pa; the shear stress in simple shear
+  std::optional<double> standard_error = {};  // Pa, of nominal_stress
+  int source = 0;                             // index of its CurveSource
 };
 
 // Where points came from: which columns of which file.
 struct CurveSource {
   std::string file;
   std::string x, y;          // headers; x of general biaxial data are the two stretches
+  std::string error = {};    // header of the standard errors of y; empty where there are none
   bool cauchy = false;       // y is a Cauchy stress; the points are nominal already
   bool mode_column = false;  // the file says the deformation of every row itself
   int points = 0;

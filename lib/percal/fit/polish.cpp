@@ -1,63 +1,71 @@
 #include "percal/fit/polish.hpp"
 
 #include <ceres/ceres.h>
-#include <glog/logging.h>
 
-#include <mutex>
+#include <cmath>
+
+#include "percal/estimate/quiet_ceres.hpp"
 
 namespace percal {
 namespace {
 
-// weight (stress - mu f(alpha)) of one point. The parameters are ln(mu/start_mu) and alpha, so that mu stays positive
-// and both are of order 1 whatever the units.
-struct StressResidual {
-  WeightedPoint point;
-  double start_mu;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-  template <class T>
-  bool operator()(const T* const parameters, T* residual) const {
-    using std::exp;
-    const OgdenOf<T> solid{start_mu * exp(parameters[0]), parameters[1]};
-    residual[0] = point.weight * (point.stress - nominal_stress(solid, point.pair));
+// Residuals whose squares are the loss of data - columns(alphas) mu(alphas), over the size of the data.
+class Projected : public ceres::CostFunction {
+ public:
+  Projected(const std::vector<WeightedPoint>& points, int terms, Signs signs, const ScaledLoss& loss)
+      : points_(points), data_(weighted_stress(points)), size_(data_.norm()), signs_(signs), loss_(loss) {
+    mutable_parameter_block_sizes()->push_back(terms);
+    set_num_residuals(static_cast<int>(points.size()));
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const int terms = parameter_block_sizes()[0];
+    const std::vector<double> alphas(parameters[0], parameters[0] + terms);
+    const TermColumns columns = term_columns(points_, alphas);
+    const Moduli moduli = best_moduli(columns.stress, data_, signs_, loss_);
+    if (!std::isfinite(moduli.objective)) return false;
+    const VectorXd residual = data_ - columns.stress * moduli.mu;
+    VectorXd slope(residual.size());  // d(root of the loss)/d(residual)
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+      const double root = std::copysign(std::sqrt(loss_of(loss_, residual(i))), residual(i));
+      slope(i) = root == 0 ? 1 : weight_of(loss_, residual(i)) * residual(i) / root;
+      residuals[i] = root / size_;
+    }
+    if (jacobians && jacobians[0]) {
+      const MatrixXd jacobian = derivative(columns, moduli, slope).transpose();  // Ceres stores by rows
+      MatrixXd::Map(jacobians[0], jacobian.rows(), jacobian.cols()) = jacobian;
+    }
     return true;
   }
+
+ private:
+  // -P diag(slope) d(columns)/d(alphas) mu, P the projection off the columns in use.
+  MatrixXd derivative(const TermColumns& columns, const Moduli& moduli, const VectorXd& slope) const {
+    std::vector<Eigen::Index> used;
+    for (Eigen::Index k = 0; k < moduli.mu.size(); ++k)
+      if (moduli.mu(k) != 0) used.push_back(k);
+    MatrixXd basis(data_.size(), used.size());
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      basis.col(k) = slope.asDiagonal() * columns.stress.col(used[k]);
+      for (int twice = 0; twice < 2; ++twice)
+        basis.col(k) -= basis.leftCols(k) * (basis.leftCols(k).transpose() * basis.col(k)).eval();
+      basis.col(k).normalize();
+    }
+    const MatrixXd moved = slope.asDiagonal() * columns.by_alpha * (moduli.mu / -size_).asDiagonal();
+    return moved - basis * (basis.transpose() * moved);
+  }
+
+  const std::vector<WeightedPoint>& points_;
+  VectorXd data_;
+  double size_;
+  Signs signs_;
+  ScaledLoss loss_;
 };
 
-// glog prints on standard error even where Ceres is silent. A host that has set glog up itself keeps its settings.
-void silence_glog() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    if (google::IsGoogleLoggingInitialized()) return;
-    google::InitGoogleLogging("percal");
-    FLAGS_logtostderr = true;
-    FLAGS_minloglevel = 3;
-  });
-}
-
-void add_normal_matrix(const StressResidual& residual, const double* parameters, Polished& polished) {
-  using Jet = ceres::Jet<double, 2>;
-  const Jet at[2] = {Jet(parameters[0], 0), Jet(parameters[1], 1)};
-  Jet value;
-  residual(at, &value);
-  polished.objective += value.a * value.a;
-  polished.normal_matrix[0] += value.v[0] * value.v[0];
-  polished.normal_matrix[1] += value.v[0] * value.v[1];
-  polished.normal_matrix[2] += value.v[1] * value.v[1];
-}
-
-}  // namespace
-
-Polished polish(const std::vector<WeightedPoint>& points, const Bracket& bracket) {
-  silence_glog();
-  double parameters[2] = {0, bracket.start.alpha};
-  ceres::Problem problem;
-  for (const auto& point : points)
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<StressResidual, 1, 2>(new StressResidual{point, bracket.start.mu}), nullptr,
-        parameters);
-  problem.SetParameterLowerBound(parameters, 1, bracket.low);
-  problem.SetParameterUpperBound(parameters, 1, bracket.high);
-
+ceres::Solver::Options options() {
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = 500;
@@ -66,14 +74,31 @@ Polished polish(const std::vector<WeightedPoint>& points, const Bracket& bracket
   options.parameter_tolerance = 1e-13;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  return options;
+}
 
-  Polished polished{};
-  polished.solid = {bracket.start.mu * std::exp(parameters[0]), parameters[1]};
-  polished.converged = summary.termination_type == ceres::CONVERGENCE;
-  polished.iterations = static_cast<int>(summary.iterations.size());
-  for (const auto& point : points) add_normal_matrix({point, bracket.start.mu}, parameters, polished);
+}  // namespace
+
+Polished polish(const std::vector<WeightedPoint>& points, const std::vector<SearchedAlpha>& alphas, Signs signs,
+                const ScaledLoss& loss) {
+  quiet_ceres();
+  std::vector<double> at;
+  for (const auto& alpha : alphas) at.push_back(alpha.start);
+  ceres::Problem problem;
+  problem.AddResidualBlock(new Projected(points, static_cast<int>(at.size()), signs, loss), nullptr, at.data());
+  for (std::size_t k = 0; k < alphas.size(); ++k) {
+    problem.SetParameterLowerBound(at.data(), static_cast<int>(k), alphas[k].low);
+    problem.SetParameterUpperBound(at.data(), static_cast<int>(k), alphas[k].high);
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(options(), &problem, &summary);
+
+  const Moduli moduli = best_moduli(term_columns(points, at).stress, weighted_stress(points), signs, loss);
+  Polished polished{{},
+                    moduli.objective,
+                    summary.termination_type == ceres::CONVERGENCE,
+                    static_cast<int>(summary.iterations.size())};
+  for (std::size_t k = 0; k < at.size(); ++k) polished.terms.push_back({moduli.mu(k), at[k]});
   return polished;
 }
 

@@ -1,19 +1,26 @@
-// Ceres from one start, within its basin.
+// Ceres from one start over the exponents, the moduli solved for at every step (variable projection).
 #pragma once
-#include "percal/fit/alpha_scan.hpp"
+#include <vector>
+
+#include "percal/fit/moduli.hpp"
 
 namespace percal {
 
-struct Polished {
-  Ogden solid;       // mu in the scale of the points' stress
-  double objective;  // sum of squared weighted residuals
-  bool converged;
-  int iterations;
-  // J^T J of the residuals with respect to (ln mu, alpha): [0] mu mu, [1] mu alpha, [2] alpha alpha.
-  double normal_matrix[3];
+// Where an exponent starts and between which values it stays.
+struct SearchedAlpha {
+  double start;
+  double low, high;
 };
 
-// Levenberg-Marquardt with automatic derivatives over (ln mu, alpha), alpha between the bracket's ends.
-Polished polish(const std::vector<WeightedPoint>& points, const Bracket& bracket);
+struct Polished {
+  std::vector<Ogden> terms;  // mu in the scale of the points' stress; 0 for a term that is better left out
+  double objective;          // sum of the loss of the weighted residuals
+  bool converged;
+  int iterations;
+};
+
+// Levenberg-Marquardt with Kaufman's derivative of the projected residuals.           docs/theory/curves.md (22)
+Polished polish(const std::vector<WeightedPoint>& points, const std::vector<SearchedAlpha>& alphas, Signs signs,
+                const ScaledLoss& loss);
 
 }  // namespace percal

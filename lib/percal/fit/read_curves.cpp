@@ -43,6 +43,21 @@ std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns&
   return all;
 }
 
+// Empty cells are no error known; a negative one is refused.
+std::vector<std::optional<double>> standard_errors(const CsvTable& table, std::optional<int> column) {
+  if (!column) return std::vector<std::optional<double>>(table.rows.size());
+  const std::string& header = table.columns[*column].header;
+  const auto errors = table.optional_numbers(header, dimension::pressure);
+  LineFaults faults(table.file);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (errors[i] && *errors[i] < 0)
+      faults.add(table.rows[i].line, fmt::format("{}: found {:.4g} Pa; accepted: a standard error not below zero, or "
+                                                 "an empty cell",
+                                                 header, *errors[i]));
+  faults.throw_if_any();
+  return errors;
+}
+
 // A dimensionless column; percent is divided by 100 here, where it means a strain.
 std::vector<double> abscissae(const CsvTable& table, int column) {
   auto values = table.numbers(column, dimension::none);
@@ -88,8 +103,10 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   const CsvColumn &x_column = table.columns[found.x], &y_column = table.columns[found.y];
   std::vector<Deformation> modes;
   std::vector<double> x, y, across;
+  std::vector<std::optional<double>> errors;
   together({[&] { modes = deformations(table, found, wanted.mode); }, [&] { x = abscissae(table, found.x); },
             [&] { y = table.numbers(found.y, dimension::pressure); },
+            [&] { errors = standard_errors(table, found.error); },
             [&] {
               if (!found.mode && general_biaxial(wanted.mode))
                 across = abscissae(table, partner_column(table, found.x));
@@ -114,13 +131,18 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                                                  y[i], largest_stress));
       continue;
     }
-    point.nominal_stress = found.cauchy ? nominal_of_cauchy(y[i], point.strained) : y[i];
+    const auto nominal = [&](double stress) {
+      return found.cauchy ? nominal_of_cauchy(stress, point.strained) : stress;
+    };
+    point.nominal_stress = nominal(y[i]);
+    if (errors[i]) point.standard_error = nominal(*errors[i]);
     data.points.push_back(point);
   }
   faults.throw_if_any();
   data.sources.push_back({.file = table.file,
                           .x = x_column.header,
                           .y = y_column.header,
+                          .error = found.error ? table.columns[*found.error].header : "",
                           .cauchy = found.cauchy,
                           .mode_column = found.mode.has_value(),
                           .points = static_cast<int>(data.points.size())});
@@ -133,7 +155,8 @@ CurveData read_curves(const std::vector<std::string>& files, const CurveColumns&
   std::string faults;
   for (const auto& file : files) {
     try {
-      const CurveData one = curves_of(read_csv(file), wanted);
+      CurveData one = curves_of(read_csv(file), wanted);
+      for (auto& point : one.points) point.source = static_cast<int>(all.sources.size());
       all.points.insert(all.points.end(), one.points.begin(), one.points.end());
       all.sources.insert(all.sources.end(), one.sources.begin(), one.sources.end());
     } catch (const BadInput& error) {

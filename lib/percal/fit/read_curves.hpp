@@ -12,6 +12,7 @@ namespace percal {
 struct CurveColumns {
   std::string mode = {};                // deformation of the files without a mode column
   std::string x = {}, y = {};           // stretch, strain or shear; stress
+  std::string error = {};               // standard error of the stress
   std::vector<std::string> where = {};  // COLUMN=VALUE: the rows to keep
 };
 

@@ -10,32 +10,34 @@
 namespace percal {
 
 inline constexpr int sphere_inputs = 6;
-// ln pi4, ln pi5 = ln(rho_t/rho_p), alpha, erosion strain, ln(L/a), ln(K/mu): in this order.
+// ln pi4, ln pi5 = ln(rho_t/rho_p), alpha, erosion strain, ln(L/a), ln(K/mu): in this order. The strain is the engineering one,
+// the critical stretch less 1, above 0.
 using SphereInputs = std::array<double, sphere_inputs>;
 
-struct SphereRun {
+// A finished run that the emulator learns from.
+struct TrainingRun {
   SphereInputs at{};
   double h = 0.1;        // element size over radius: 1 / elements_per_radius
   double log_depth = 0;  // ln(depth / radius) of a run that stopped
 };
 
-// What the hyperparameter search found. Lengths are in units of the inputs.
+// What the hyperparameter search found. Lengths are in units of the inputs; the first is of ln pi4 at constant alpha and strain,
+// see depth_features.hpp.
 struct EmulatorSettings {
-  double amplitude = 1;                            // standard deviation of the smooth part
+  double amplitude = 1;  // standard deviation of the smooth part
   std::array<double, sphere_inputs> length{};
-  double mesh_amplitude = 0;                       // of the part that the mesh adds, at h = 0.1
+  double mesh_amplitude = 0;  // of the part that the mesh adds, at h = 0.1
   std::array<double, sphere_inputs> mesh_length{};
-  double mesh_order = 1;                           // it goes as h^order
-  double noise = 0.015;                            // the solver's own, standard deviation of ln depth (the nugget), at h = 0.1
-  double noise_order = 0;                          // noise goes as h^order
+  double mesh_order = 1;   // it goes as h^order
+  double noise = 0.015;    // the solver's own, standard deviation of ln depth (the nugget), at h = 0.1
+  double noise_order = 0;  // noise goes as h^order
   double log_likelihood = 0;
-  int evaluations = 0;                             // of the likelihood
+  int evaluations = 0;  // of the likelihood
 };
 
 struct EmulatorOptions {
   int most_points_for_search = 500;  // hyperparameters are found on a subset of at most this many
   int most_evaluations = 300;
-  unsigned seed = 20090401;
 };
 
 // Of the smooth depth, without the solver's noise.
@@ -56,16 +58,16 @@ struct LeaveOneOut {
 class Emulator {
  public:
   // The same runs in the same order give the same bits. Throws BadInput for fewer than 2 * sphere_inputs runs.
-  Emulator(std::vector<SphereRun> runs, const EmulatorOptions& options);
+  Emulator(std::vector<TrainingRun> runs, const EmulatorOptions& options);
   // As before, with settings that are known: no search.
-  Emulator(std::vector<SphereRun> runs, const EmulatorSettings& settings);
+  Emulator(std::vector<TrainingRun> runs, const EmulatorSettings& settings);
 
   // The depth on a mesh of element size h; 0: extrapolated to none.
   DepthAnswers depth(const std::vector<SphereInputs>& at, double h, bool with_covariance) const;
 
   LeaveOneOut leave_one_out() const;
   const EmulatorSettings& settings() const;
-  const std::vector<SphereRun>& runs() const;
+  const std::vector<TrainingRun>& runs() const;
   // Of one run on a mesh of element size h.
   double noise(double h) const;
 
@@ -77,8 +79,9 @@ class Emulator {
     double h = 0.1;
     double cost = 1;
   };
-  std::vector<int> choose(const std::vector<CandidateRun>& candidates, int count, const std::vector<SphereInputs>& targets,
-                          const std::vector<double>& weights, double h_target) const;
+  std::vector<int> choose(const std::vector<CandidateRun>& candidates, int count,
+                          const std::vector<SphereInputs>& targets, const std::vector<double>& weights,
+                          double h_target) const;
 
  private:
   struct State;

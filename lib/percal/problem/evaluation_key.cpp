@@ -62,6 +62,10 @@ std::string choices_text(const Problem& p) {
 
 }  // namespace
 
+std::string sphere_key_prefix(const std::string& instruction_level) {
+  return fmt::format("{} solver={} level={} ", ParticleText{}(RigidSphere{}), solver_version, instruction_level);
+}
+
 std::string evaluation_key(const Problem& p, const std::string& instruction_level) {
   return fmt::format(
              "{} solver={} level={} arithmetic={} pi4={:.12g} density_ratio={:.12g} alpha={:.12g} bulk_ratio={:.12g} "

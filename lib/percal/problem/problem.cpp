@@ -23,6 +23,11 @@ double mach_number(const Problem& problem) {
 
 double subsonic_bulk_ratio(double pi4) { return 1.01 * pi4 / (recommended_mach * recommended_mach) - 4.0 / 3; }
 
+int usual_graded_columns(double fine_width, int elements_per_radius) {
+  const int fine_columns = std::max(1, static_cast<int>(std::lround(fine_width * elements_per_radius)));
+  return std::max(2, (fine_columns + 1) / 2);
+}
+
 double replicate_speed_factor(int replicate) {
   const int step = (replicate + 1) / 2;
   return 1 + (replicate % 2 == 1 ? 0.001 : -0.001) * step;

@@ -1,5 +1,6 @@
 // The dimensionless problem: particle radius, impact speed and target density are 1. Similar systems are one problem.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,11 +83,21 @@ struct Reduction {
 // units, and two similar systems, are the same problem to the last bit.
 Reduction reduce(const Scene& scene);
 
+// Where the scene does not say: half of the columns that are not graded, 2 or more.
+int usual_graded_columns(double fine_width, int elements_per_radius);
+
 // The factors of the replicates: 1, 1.001, 0.999, 1.002, 0.998, ...
 double replicate_speed_factor(int replicate);
 
 // The canonical text of a problem: every number that decides the result, the solver's version and the instruction level.
 std::string evaluation_key(const Problem& problem, const std::string& instruction_level);
+
+// The problem of which `key` is the evaluation_key at this instruction level. Nothing where it is of another solver version or
+// level, or of anything but a rigid sphere in one layer without relaxation.
+std::optional<Problem> problem_of_key(const std::string& key, const std::string& instruction_level);
+
+// What every such key of this solver version begins with.
+std::string sphere_key_prefix(const std::string& instruction_level);
 
 // x rounded to 12 significant digits.
 double round_to_12_digits(double x);

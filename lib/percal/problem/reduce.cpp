@@ -86,8 +86,7 @@ Relaxation reduced_relaxation(const Scene& scene) {
 void take_mesh(const Scene& scene, Problem& p) {
   p.elements_per_radius = scene.mesh.elements_per_radius;
   p.fine_width = round_to_12_digits(scene.mesh.fine_width);
-  const int fine_columns = std::max(1, static_cast<int>(std::lround(p.fine_width * p.elements_per_radius)));
-  p.graded_columns = scene.mesh.graded_columns.value_or(std::max(2, (fine_columns + 1) / 2));
+  p.graded_columns = scene.mesh.graded_columns.value_or(usual_graded_columns(p.fine_width, p.elements_per_radius));
   p.whole = scene.geometry == Geometry::plane_strain && (scene.mesh.whole || needs_both_halves(scene.particle));
 }
 

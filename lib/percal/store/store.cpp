@@ -27,6 +27,10 @@ constexpr const char* schema = R"sql(
   ) WITHOUT ROWID;
 )sql";
 
+// Came later, within the same schema: a store that was made without it gets it when it is opened.
+constexpr const char* notes_schema =
+    "CREATE TABLE IF NOT EXISTS notes (name TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL) WITHOUT ROWID";
+
 struct CloseDatabase {
   void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 };
@@ -43,7 +47,7 @@ struct Store::Connection {
   std::string path;
   mutable std::mutex mutex;
   Database database;
-  Statement select, insert, count;
+  Statement select, select_from, insert, count, select_note, insert_note;
 
   [[noreturn]] void fail_to_read() const {
     const int result = sqlite3_errcode(database.get());
@@ -137,6 +141,7 @@ struct Store::Connection {
         execute("PRAGMA application_id = " + std::to_string(application_id), "cannot create the store");
         execute("PRAGMA user_version = " + std::to_string(schema_version), "cannot create the store");
       }
+      execute(notes_schema, "cannot create the store");
       execute("COMMIT", "cannot create the store");
     } catch (...) {
       roll_back();
@@ -149,7 +154,12 @@ struct Store::Connection {
     insert = prepare(
         "INSERT INTO evaluations (key, outcome, payload, cpu_seconds, created)"
         " VALUES (?1, ?2, ?3, ?4, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) ON CONFLICT (key) DO NOTHING");
+    select_from = prepare(
+        "SELECT outcome, payload, cpu_seconds, key FROM evaluations WHERE key >= ?1 AND substr(key, 1, length(?1)) = ?1"
+        " ORDER BY key");
     count = prepare("SELECT count(*) FROM evaluations");
+    select_note = prepare("SELECT text FROM notes WHERE name = ?1");
+    insert_note = prepare("INSERT INTO notes (name, text) VALUES (?1, ?2) ON CONFLICT (name) DO NOTHING");
   }
 
   void bind(const Statement& statement, int index, const std::string& text) const {
@@ -218,6 +228,20 @@ std::optional<StoredEvaluation> Store::find(const std::string& key) const {
   return StoredEvaluation{text_at(select, 0), text_at(select, 1), sqlite3_column_double(select.get(), 2)};
 }
 
+std::vector<KeyedEvaluation> Store::with_prefix(const std::string& prefix) const {
+  const std::lock_guard lock(connection_->mutex);
+  const auto& select = connection_->select_from;
+  const Reset reset(select);
+  connection_->bind(select, 1, prefix);
+  std::vector<KeyedEvaluation> found;
+  int result;
+  while ((result = sqlite3_step(select.get())) == SQLITE_ROW)
+    found.push_back(
+        {text_at(select, 3), {text_at(select, 0), text_at(select, 1), sqlite3_column_double(select.get(), 2)}});
+  if (result != SQLITE_DONE) connection_->fail_to_read();
+  return found;
+}
+
 // One statement is one transaction: it takes the write lock, waiting for it, and is synced to the disk before step
 // returns.
 void Store::put(const std::string& key, const StoredEvaluation& evaluation) {
@@ -236,6 +260,26 @@ long Store::size() const {
   const Reset reset(connection_->count);
   if (sqlite3_step(connection_->count.get()) != SQLITE_ROW) connection_->fail_to_read();
   return static_cast<long>(sqlite3_column_int64(connection_->count.get(), 0));
+}
+
+std::optional<std::string> Store::note(const std::string& name) const {
+  const std::lock_guard lock(connection_->mutex);
+  const auto& select = connection_->select_note;
+  const Reset reset(select);
+  connection_->bind(select, 1, name);
+  const int result = sqlite3_step(select.get());
+  if (result == SQLITE_DONE) return std::nullopt;
+  if (result != SQLITE_ROW) connection_->fail_to_read();
+  return text_at(select, 0);
+}
+
+void Store::put_note(const std::string& name, const std::string& text) {
+  const std::lock_guard lock(connection_->mutex);
+  const auto& insert = connection_->insert_note;
+  const Reset reset(insert);
+  connection_->bind(insert, 1, name);
+  connection_->bind(insert, 2, text);
+  if (sqlite3_step(insert.get()) != SQLITE_DONE) connection_->fail("cannot write to the store");
 }
 
 const std::string& Store::path() const { return connection_->path; }

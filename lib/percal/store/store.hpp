@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace percal {
 
@@ -12,6 +13,11 @@ struct StoredEvaluation {
   std::string payload;     // JSON text of the observation
   double cpu_seconds = 0;  // what it cost
   bool operator==(const StoredEvaluation&) const = default;
+};
+
+struct KeyedEvaluation {
+  std::string key;
+  StoredEvaluation evaluation;
 };
 
 // Safe to use from several threads of one process and from several processes on one machine. Not for network file
@@ -27,7 +33,15 @@ class Store {
   std::optional<StoredEvaluation> find(const std::string& key) const;
   // Durable when it returns. An existing row with this key stays as it is. Throws IoFailure (disk full).
   void put(const std::string& key, const StoredEvaluation& evaluation);
+  // Those whose key begins with `prefix`, in the order of the keys' bytes.
+  std::vector<KeyedEvaluation> with_prefix(const std::string& prefix) const;
   long size() const;
+
+  // A text kept under a name, for decisions that a job must find again as they were. What is there stays: the first writer wins.
+  // Durable when it returns. Throws IoFailure (disk full).
+  std::optional<std::string> note(const std::string& name) const;
+  void put_note(const std::string& name, const std::string& text);
+
   const std::string& path() const;
 
  private:

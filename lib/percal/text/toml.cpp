@@ -291,6 +291,11 @@ bool TomlTable::is_array(const std::string& key) const {
   return at && at->is_array();
 }
 
+bool TomlTable::is_text(const std::string& key) const {
+  const auto* at = node_->table->get(key);
+  return at && at->is_string();
+}
+
 std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const {
   const auto* at = node_->ask(key);
   if (!at) return std::nullopt;

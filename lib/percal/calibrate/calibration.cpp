@@ -1,0 +1,224 @@
+#include "percal/calibrate/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "percal/calibrate/dehn_fit.hpp"
+#include "percal/calibrate/plausible.hpp"
+#include "percal/calibrate/reading.hpp"
+#include "percal/calibrate/reading_findings.hpp"
+#include "percal/calibrate/shot_problem.hpp"
+#include "percal/calibrate/training.hpp"
+
+namespace percal {
+namespace {
+
+using Eigen::VectorXd;
+using Announce = std::function<void(const std::string&)>;
+
+constexpr double share_for_training = 0.7;  // of a budget
+constexpr int plausible_for_each = 10;      // points of parameter space a round looks at, for each reading
+constexpr double temperature = 1.5;         // a little wider than the data allow
+constexpr std::size_t most_targets = 160, most_places = 160;
+
+// Readings that share the solver's setting share an emulator.
+std::vector<std::vector<int>> settings_of(const CalibrationJob& job) {
+  std::map<double, std::vector<int>> by_stiffness;
+  std::vector<double> order;
+  for (std::size_t r = 0; r < job.readings.size(); ++r) {
+    const double stiffness = job.readings[r].contact_stiffness;
+    if (!by_stiffness.contains(stiffness)) order.push_back(stiffness);
+    by_stiffness[stiffness].push_back(static_cast<int>(r));
+  }
+  std::vector<std::vector<int>> settings;
+  for (double stiffness : order) settings.push_back(by_stiffness[stiffness]);
+  return settings;
+}
+
+template <class T>
+std::vector<T> evenly(const std::vector<T>& all, std::size_t most) {
+  if (all.size() <= most) return all;
+  std::vector<T> some;
+  for (std::size_t k = 0; k < most; ++k) some.push_back(all[k * all.size() / most]);
+  return some;
+}
+
+// What is plausible under a reading, as depths to be known and as places to run.
+void add_targets(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit, unsigned seed,
+                 std::vector<Training::Target>& targets, std::vector<Training::Place>& places) {
+  const CalibrationReading& read = job.readings[reading];
+  const VectorXd exponents = model.speed_exponents(fit.at, fit.shots);
+  for (const VectorXd& at : plausible_points(fit, plausible_for_each, temperature, seed)) {
+    const auto natural = natural_values(job, read, model, at);
+    for (std::size_t i = 0; i < job.shots.size(); ++i) {
+      const MeasuredShot& shot = job.shots[i];
+      const MaterialAt material = material_at(job, read, shot.material, natural);
+      const double scatter = fit.best().scatter[shot.group];
+      const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
+      targets.push_back(
+          {static_cast<int>(i), shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
+      places.push_back({static_cast<int>(i), shot_problem(job, read, shot, material, job.training.coarse),
+                        shot_problem(job, read, shot, material, job.training.fine)});
+    }
+  }
+}
+
+struct Trained {
+  std::vector<JobFit> fits;  // of the setting's readings
+  std::string why;           // no more runs
+};
+
+double element_size(const CalibrationJob& job) { return 1.0 / job.training.verify; }
+
+// Rounds of fitting and running until the emulator is surer than the data, in all the readings.
+Trained train(const CalibrationJob& job, const std::vector<int>& readings, Training& training,
+              const CalibrationLimits& limits, const Announce& announce) {
+  training.fill_space();
+  Trained trained;
+  std::vector<std::optional<VectorXd>> starts(readings.size());
+  for (int round = 0;; ++round) {
+    if (training.failures() || !training.has_emulator()) {
+      trained.why = training.failures() ? training.failures()->why
+                                        : "too few runs came to rest for an emulator: wider bounds or more runs";
+      return trained;
+    }
+    trained.fits.clear();
+    std::vector<Training::Target> targets;
+    std::vector<Training::Place> places;
+    double worst = 0, emulator = 0, data = 0;
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const JobModel model =
+          finite_element_model(job, job.readings[readings[k]], training.emulator(), element_size(job));
+      JobFit fit = fit_job(job, model, used_shots(job), quick_search(), starts[k]);
+      if (round % 3 != 2)
+        starts[k] = fit.at;  // now and then from everywhere
+      else
+        starts[k].reset();
+      const ErrorSizes sizes = error_sizes(job, model, fit);
+      if (sizes.data > 0 && sizes.emulator / sizes.data >= worst) {
+        worst = sizes.emulator / sizes.data;
+        emulator = sizes.emulator;
+        data = sizes.data;
+      }
+      add_targets(job, readings[k], model, fit, job.training.seed + static_cast<unsigned>(round), targets, places);
+      trained.fits.push_back(std::move(fit));
+    }
+    EmulatorReport& report = training.report();
+    report.error_at_optimum = emulator;
+    report.data_error = data;
+    if (!report.rounds.empty()) report.rounds.back().error = emulator;
+    announce(fmt::format("{}: {} runs, emulator's error at the optimum {:.2g} %, data's {:.2g} %", report.setting,
+                         training.emulator().runs().size(), 100 * emulator, 100 * data));
+    if (worst <= job.training.accuracy) {
+      trained.why = fmt::format("the emulator's error is below {:g} of the data's", job.training.accuracy);
+      return trained;
+    }
+    if (training.full()) {
+      trained.why = fmt::format("{} runs were made, as many as the job allows", job.training.most);
+      return trained;
+    }
+    if (limits.spent(share_for_training)) {
+      trained.why = "the budget for runs was spent";
+      return trained;
+    }
+    training.add_round(evenly(targets, most_targets), evenly(places, most_places));
+  }
+}
+
+void finish_report(EmulatorReport& report, const Emulator& emulator) {
+  const LeaveOneOut check = emulator.leave_one_out();
+  report.settings = emulator.settings();
+  report.leave_one_out = check.root_mean_square;
+  report.standardised_deviation = check.standardised_deviation;
+  report.coverage95 = check.coverage95;
+}
+
+void add_fresh_runs(const CalibrationJob& job, ReadingResult& result, std::vector<FreshRun> fresh) {
+  result.fresh = std::move(fresh);
+  int count = 0;
+  for (const FreshRun& run : result.fresh)
+    if (run.depth && !job.shots[run.shot].at_least) {
+      result.fresh_deviation += std::abs(*run.depth / job.shots[run.shot].depth - 1);
+      ++count;
+    }
+  if (count > 0) result.fresh_deviation /= count;
+}
+
+// Every reading of a setting, side by side; then its fresh runs, which have all the threads.
+void read_all(const CalibrationJob& job, const std::vector<int>& readings, const Emulator& emulator, Campaign& campaign,
+              const CalibrationLimits& limits, const Announce& announce, std::vector<ReadingResult>& results) {
+  std::vector<JobModel> models(readings.size());
+  std::vector<JobFit> fits(readings.size());
+  campaign.side_by_side(static_cast<int>(readings.size()), [&](int k) {
+    const CalibrationReading& reading = job.readings[readings[k]];
+    models[k] = finite_element_model(job, reading, emulator, element_size(job));
+    fits[k] = fit_job(job, models[k], used_shots(job), thorough_search());
+    const JobModel without_mesh = finite_element_model(job, reading, emulator, 0);
+    results[readings[k]] = read_out(job, readings[k], models[k], without_mesh, fits[k], limits);
+  });
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    ReadingResult& result = results[readings[k]];
+    announce(fmt::format("\"{}\" is fitted", job.readings[readings[k]].name));
+    if (limits.spent()) {
+      result.findings.push_back("Not checked by fresh runs: the budget was spent.");
+      continue;
+    }
+    add_fresh_runs(job, result, fresh_runs(job, readings[k], models[k], fits[k], emulator, campaign));
+  }
+}
+
+// How the error at the optimum fell with the time spent, carried on: error ~ 1/sqrt(runs).
+std::string what_more_time_buys(const std::vector<EmulatorReport>& reports) {
+  for (const EmulatorReport& report : reports) {
+    if (report.rounds.empty() || report.error_at_optimum <= 0) continue;
+    const auto& last = report.rounds.back();
+    const double total = std::hypot(report.error_at_optimum, report.data_error);
+    const double better = std::hypot(report.error_at_optimum / std::sqrt(2.0), report.data_error);
+    return fmt::format(
+        "Twice the runs ({:.0f} s more of processor time) would bring the emulator's error from {:.2g} to about {:.2g} "
+        "%; beside the "
+        "data's {:.2g} % that makes intervals {:.2g} % narrower.",
+        last.cpu_seconds, 100 * report.error_at_optimum, 100 * report.error_at_optimum / std::sqrt(2.0),
+        100 * report.data_error, 100 * (1 - better / total));
+  }
+  return "";
+}
+
+}  // namespace
+
+CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& campaign,
+                            const CalibrationLimits& limits, const Announce& announce) {
+  CalibrationResult result;
+  result.readings.resize(job.readings.size());
+  bool complete = true;
+  for (const auto& readings : settings_of(job)) {
+    Training training(job, readings, &store, campaign, limits);
+    const Trained trained = train(job, readings, training, limits, announce);
+    training.report().stopped = trained.why;
+    if (training.has_emulator()) finish_report(training.report(), training.emulator());
+    result.emulators.push_back(training.report());
+    if (trained.fits.empty()) {
+      result.findings.push_back(training.report().setting + ": " + trained.why + ".");
+      complete = false;
+      continue;
+    }
+    read_all(job, readings, training.emulator(), campaign, limits, announce, result.readings);
+  }
+  if (!complete) result.readings.clear();
+  if (job.dehn && !used_shots(job).empty()) result.dehn = fit_dehn(job);
+  const auto findings = overall_findings(job, result);
+  result.findings.insert(result.findings.end(), findings.begin(), findings.end());
+  const CampaignCost cost = campaign.cost();
+  result.cost.runs = cost.runs;
+  result.cost.reused = cost.reused;
+  result.cost.cpu_seconds = cost.cpu_seconds;
+  result.cost.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - limits.start).count();
+  result.cost.budget_seconds = limits.budget_seconds;
+  result.cost.advice = what_more_time_buys(result.emulators);
+  return result;
+}
+
+}  // namespace percal

@@ -1,0 +1,66 @@
+#include <cmath>
+#include <map>
+
+#include "percal/calibrate/job_model.hpp"
+#include "percal/invert/dehn.hpp"
+
+namespace percal {
+namespace {
+
+// Generous: the drag coefficient of a sphere is about 0.2, and strengths run from jelly to steel.
+constexpr double lowest_c = 1e-3, highest_c = 10;
+constexpr double lowest_s = 1e2, highest_s = 1e10;
+
+// Materials with one and the same modulus are one to Dehn's model.
+std::vector<int> strengths(const CalibrationJob& job, std::vector<FreeParameter>& parameters) {
+  std::map<int, int> of_parameter;
+  std::vector<int> place;
+  for (const auto& material : job.materials) {
+    const auto* shared = std::get_if<SharedParameter>(&material.mu);
+    if (shared && of_parameter.contains(shared->index)) {
+      place.push_back(of_parameter[shared->index]);
+      continue;
+    }
+    place.push_back(static_cast<int>(parameters.size()));
+    if (shared) of_parameter[shared->index] = place.back();
+    parameters.push_back({.name = "s of " + material.name, .unit = "Pa", .low = lowest_s, .high = highest_s});
+  }
+  return place;
+}
+
+}  // namespace
+
+JobModel dehn_model(const CalibrationJob& job) {
+  JobModel model;
+  model.parameters.push_back({.name = "c", .unit = "", .low = lowest_c, .high = highest_c});
+  const std::vector<int> place = strengths(job, model.parameters);
+  const auto shot_depth = [job, place](const Eigen::VectorXd& searched, int i) {
+    const MeasuredShot& shot = job.shots[i];
+    return dehn_depth({.radius = shot.radius,
+                       .density = shot.density,
+                       .speed = shot.speed,
+                       .target_density = job.materials[shot.material].density},
+                      std::exp(searched[0]), std::exp(searched[place[shot.material]]));
+  };
+  model.log_depths = [=](const Eigen::VectorXd& searched, const std::vector<int>& shots, Want) {
+    ModelAnswer answer;
+    answer.value.resize(static_cast<Eigen::Index>(shots.size()));
+    answer.jacobian = Eigen::MatrixXd::Zero(answer.value.size(), searched.size());
+    for (std::size_t k = 0; k < shots.size(); ++k) {
+      const DehnDepth depth = shot_depth(searched, shots[k]);
+      answer.value[k] = depth.log_depth;
+      answer.jacobian(k, 0) = depth.gradient[0];
+      answer.jacobian(k, place[job.shots[shots[k]].material]) = depth.gradient[1];
+    }
+    return answer;
+  };
+  // The depth depends on the speed through s/v^2 alone.
+  model.speed_exponents = [=](const Eigen::VectorXd& searched, const std::vector<int>& shots) {
+    Eigen::VectorXd exponents(static_cast<Eigen::Index>(shots.size()));
+    for (std::size_t k = 0; k < shots.size(); ++k) exponents[k] = -2 * shot_depth(searched, shots[k]).gradient[1];
+    return exponents;
+  };
+  return model;
+}
+
+}  // namespace percal

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+
+#include "percal/calibrate/job_model.hpp"
+#include "percal/calibrate/shot_problem.hpp"
+#include "percal/material/homogeneous.hpp"
+
+namespace percal {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// d natural / d searched of a parameter.
+double natural_slope(const FreeParameter& parameter, double natural) { return parameter.logarithmic ? natural : 1; }
+
+// Where a material's three numbers stand among the fitted parameters; -1: not fitted.
+struct Places {
+  int mu = -1, alpha = -1, erosion_strain = -1;
+};
+
+struct Context {
+  CalibrationJob job;  // a copy: the model outlives its maker
+  CalibrationReading reading;
+  JobModel layout;  // parameters and of_job only
+  std::vector<Places> places;
+
+  std::vector<double> natural(const VectorXd& searched) const { return natural_values(job, reading, layout, searched); }
+
+  // d(ln mu_true, alpha, erosion strain)/d searched of a material, 3 x parameters.
+  MatrixXd derivative(int material, const MaterialAt& at) const {
+    MatrixXd d = MatrixXd::Zero(3, static_cast<Eigen::Index>(layout.parameters.size()));
+    const Places& p = places[material];
+    if (p.mu >= 0) d(0, p.mu) = natural_slope(layout.parameters[p.mu], at.mu_as_given) / at.mu_as_given;
+    if (p.alpha >= 0) {
+      const double slope = natural_slope(layout.parameters[p.alpha], at.alpha);
+      d(1, p.alpha) = slope;
+      if (reading.convention == ModulusConvention::mu_over_alpha) d(0, p.alpha) += slope / at.alpha;
+    }
+    if (p.erosion_strain >= 0)
+      d(2, p.erosion_strain) = natural_slope(layout.parameters[p.erosion_strain], at.erosion_strain);
+    return d;
+  }
+};
+
+int place_of(const MaterialNumber& number, const std::vector<int>& of_job) {
+  const auto* shared = std::get_if<SharedParameter>(&number);
+  if (!shared) return -1;
+  const auto found = std::find(of_job.begin(), of_job.end(), shared->index);
+  return found == of_job.end() ? -1 : static_cast<int>(found - of_job.begin());
+}
+
+ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, double h, const VectorXd& searched,
+                            const std::vector<int>& shots, Want want) {
+  const auto natural = context.natural(searched);
+  std::vector<SphereInputs> at;
+  std::vector<MatrixXd> chain;  // sphere_inputs x parameters
+  for (int i : shots) {
+    const MeasuredShot& shot = context.job.shots[i];
+    const MaterialAt material = material_at(context.job, context.reading, shot.material, natural);
+    const ShotInputs inputs = shot_inputs(shot, material);
+    at.push_back(inputs.at);
+    chain.push_back(inputs.derivative.leftCols<3>() * context.derivative(shot.material, material));
+  }
+  const DepthAnswers depths = emulator.depth(at, h, want == Want::values_and_covariance);
+  ModelAnswer answer;
+  answer.value = depths.log_depth;
+  answer.jacobian.resize(depths.log_depth.size(), searched.size());
+  for (std::size_t k = 0; k < shots.size(); ++k) {
+    answer.value[k] += std::log(context.job.shots[shots[k]].radius);
+    answer.jacobian.row(k) = depths.gradient.row(k) * chain[k];
+  }
+  answer.covariance = depths.covariance;
+  return answer;
+}
+
+VectorXd emulated_speed_exponents(const Context& context, const Emulator& emulator, double h, const VectorXd& searched,
+                                  const std::vector<int>& shots) {
+  const auto natural = context.natural(searched);
+  std::vector<SphereInputs> at;
+  MatrixXd along(static_cast<Eigen::Index>(shots.size()), sphere_inputs);
+  for (std::size_t k = 0; k < shots.size(); ++k) {
+    const MeasuredShot& shot = context.job.shots[shots[k]];
+    const ShotInputs inputs = shot_inputs(shot, material_at(context.job, context.reading, shot.material, natural));
+    at.push_back(inputs.at);
+    along.row(k) = inputs.derivative.col(3).transpose();
+  }
+  return emulator.depth(at, h, false).gradient.cwiseProduct(along).rowwise().sum();
+}
+
+// d nominal stress / d (ln mu, alpha) by the derivative-carrying form of the law: two numbers, done by hand with a small struct.
+struct StressSlopes {
+  double stress, by_alpha;
+};
+StressSlopes stress_and_slope(const Ogden& solid, const PrincipalPair& pair) {
+  const auto [log_i, log_j, factor] = pair;
+  const double x = solid.alpha * (log_i - log_j) / 2, mean = (log_i + log_j) / 2;
+  const double stress = nominal_stress(solid, pair);
+  // d ln(exp(alpha mean) sinh(x)/x)/d alpha = mean + (coth x - 1/x) (log_i - log_j)/2
+  const double langevin = std::abs(x) < 1e-3 ? x / 3 : 1 / std::tanh(x) - 1 / x;
+  return {stress, stress * (mean + langevin * (log_i - log_j) / 2)};
+}
+
+ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want) {
+  const auto natural = context.natural(searched);
+  Eigen::Index rows = 0;
+  for (const auto& curve : context.job.curves) rows += static_cast<Eigen::Index>(curve.data.points.size());
+  ModelAnswer answer;
+  answer.value.resize(rows);
+  answer.jacobian.resize(rows, searched.size());
+  if (want == Want::values_and_covariance) answer.covariance = MatrixXd::Zero(rows, rows);
+  Eigen::Index row = 0;
+  bool any_common = false;
+  for (const auto& curve : context.job.curves) {
+    const MaterialAt material = material_at(context.job, context.reading, curve.material, natural);
+    const MatrixXd derivative = context.derivative(curve.material, material);
+    const Ogden solid{material.mu_true / curve.rate_factor, material.alpha};
+    const auto scales = stress_scales(curve);
+    const Eigen::Index first = row;
+    for (std::size_t k = 0; k < curve.data.points.size(); ++k, ++row) {
+      const auto [stress, by_alpha] = stress_and_slope(solid, principal_pair(curve.data.points[k].strained));
+      answer.value[row] = stress / scales[k];
+      answer.jacobian.row(row) = (stress * derivative.row(0) + by_alpha * derivative.row(1)) / scales[k];
+    }
+    if (curve.rate_factor_error == 0 || want == Want::values) continue;
+    any_common = true;
+    const VectorXd moved = answer.value.segment(first, row - first) * curve.rate_factor_error;
+    answer.covariance.block(first, first, row - first, row - first) = moved * moved.transpose();
+  }
+  if (!any_common) answer.covariance.resize(0, 0);
+  return answer;
+}
+
+}  // namespace
+
+std::vector<double> natural_values(const CalibrationJob& job, const CalibrationReading& reading, const JobModel& model,
+                                   const VectorXd& searched) {
+  std::vector<double> natural(job.parameters.size(), 0.0);
+  for (const auto& [parameter, value] : reading.held) natural[parameter] = value;
+  for (std::size_t k = 0; k < model.of_job.size(); ++k)
+    natural[model.of_job[k]] = model.parameters[k].natural(searched[static_cast<Eigen::Index>(k)]);
+  return natural;
+}
+
+std::vector<double> stress_scales(const MeasuredCurve& curve) {
+  double largest = 0;
+  for (const auto& point : curve.data.points) largest = std::max(largest, std::abs(point.nominal_stress));
+  std::vector<double> scales;
+  for (const auto& point : curve.data.points)
+    scales.push_back(std::max(std::abs(point.nominal_stress), smallest_stress_share * largest));
+  return scales;
+}
+
+std::vector<Datum> curve_data(const CalibrationJob& job) {
+  std::vector<Datum> data;
+  for (const auto& curve : job.curves) {
+    const auto scales = stress_scales(curve);
+    for (std::size_t k = 0; k < curve.data.points.size(); ++k)
+      data.push_back({.label = curve.name,
+                      .value = curve.data.points[k].nominal_stress / scales[k],
+                      .error = curve.relative_error,
+                      .group = curve.group});
+  }
+  return data;
+}
+
+JobModel finite_element_model(const CalibrationJob& job, const CalibrationReading& reading, const Emulator& emulator,
+                              double h) {
+  auto context = std::make_shared<Context>();
+  context->job = job;
+  context->reading = reading;
+  for (std::size_t k = 0; k < job.parameters.size(); ++k) {
+    if (reading.held.contains(static_cast<int>(k))) continue;
+    context->layout.parameters.push_back(job.parameters[k].free);
+    context->layout.of_job.push_back(static_cast<int>(k));
+  }
+  for (const auto& material : job.materials)
+    context->places.push_back({place_of(material.mu, context->layout.of_job),
+                               place_of(material.alpha, context->layout.of_job),
+                               place_of(material.erosion_strain, context->layout.of_job)});
+  JobModel model = context->layout;  // its functions are still empty
+  model.log_depths = [context, emulator, h](const VectorXd& searched, const std::vector<int>& shots, Want want) {
+    return emulated_depths(*context, emulator, h, searched, shots, want);
+  };
+  model.speed_exponents = [context, emulator, h](const VectorXd& searched, const std::vector<int>& shots) {
+    return emulated_speed_exponents(*context, emulator, h, searched, shots);
+  };
+  model.imagine = [context](const MeasuredShot& shot) {
+    context->job.shots.push_back(shot);
+    return static_cast<int>(context->job.shots.size()) - 1;
+  };
+  if (!job.curves.empty())
+    model.stresses = [context](const VectorXd& searched, Want want) { return stresses(*context, searched, want); };
+  return model;
+}
+
+}  // namespace percal

@@ -1,0 +1,53 @@
+// A model fitted to some of a job's shots and its curves; what it then says about any of them.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/calibrate/job_model.hpp"
+#include "percal/calibrate/result.hpp"
+
+namespace percal {
+
+struct JobFit {
+  std::vector<int> shots;       // fitted
+  std::vector<int> of_model;    // model parameter of each fitted one: those that no datum depends on are left out
+  CalibrationProblem problem;   // data: the shots in order, then the curves
+  std::vector<Minimum> minima;  // best first
+  Eigen::VectorXd at;  // all of the model's parameters at the best minimum; those left out in the middle of their box
+
+  const Minimum& best() const { return minima.front(); }
+};
+
+// Global search and Ceres; from `start` (all of the model's parameters) Ceres alone. The speeds' errors count through the model's
+// own exponent at the minimum. Throws BadInput where no shot and no curve is left.
+JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vector<int>& shots,
+               const SearchOptions& options, const std::optional<Eigen::VectorXd>& start = {});
+
+// The known standard deviation of ln depth of a shot: of the depth, and of the speed through the exponent.
+double known_log_error(const MeasuredShot& shot, double speed_exponent);
+
+// Depth of each shot with the interval in which one such shot would lie, at the job's level: parameters, the model's own error, the
+// scatter and the known error of the shot.
+std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
+                                   const std::vector<int>& shots);
+
+// Over those of the depths whose measurement is a number.
+Deviation deviation(const std::string& name, const CalibrationJob& job, const std::vector<ShotDepth>& depths);
+
+// One for the fitted shots of each set and one for its others.
+std::vector<Deviation> set_deviations(const CalibrationJob& job, const std::vector<ShotDepth>& depths);
+
+// Shots of the job that all filters of a list choose: "COLUMN=VALUE" of the shot's row, or "set=NAME".
+std::vector<int> chosen(const CalibrationJob& job, const ShotFilter& filter);
+std::vector<int> used_shots(const CalibrationJob& job);
+
+// Fitted to the chosen shots and the curves, then asked for the others.
+CrossValidationResult cross_validate(const CalibrationJob& job, const JobModel& model, const CrossValidation& wanted,
+                                     const SearchOptions& options);
+
+// Each shot of the set from a fit to the set's others and all other used shots.
+CrossValidationResult leave_one_out(const CalibrationJob& job, const JobModel& model, int set, const JobFit& full,
+                                    const SearchOptions& options);
+
+}  // namespace percal

@@ -1,0 +1,44 @@
+// A model of a job's data over its fitted parameters: depths of shots, stresses of curves. The finite-element model answers by an
+// emulator, Dehn's by its closed form; fits, cross-validations and predictions do not know which.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "percal/calibrate/job.hpp"
+#include "percal/invert/emulator.hpp"
+
+namespace percal {
+
+struct JobModel {
+  std::vector<FreeParameter> parameters;
+  std::vector<int> of_job;  // job parameter of each; empty where they are not the job's
+
+  // ln of the depth in m of these shots.
+  std::function<ModelAnswer(const Eigen::VectorXd& searched, const std::vector<int>& shots, Want want)> log_depths;
+  // d ln depth / d ln speed of these shots.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& searched, const std::vector<int>& shots)> speed_exponents;
+  // A shot that has not been made, so that it can be asked for: its number for the functions above.
+  std::function<int(const MeasuredShot& shot)> imagine;
+  // Stresses over their scales (see curve_data), all curves one after the other; empty where the model has none.
+  std::function<ModelAnswer(const Eigen::VectorXd& searched, Want want)> stresses;
+};
+
+// The job's parameters that the reading leaves free; depths by the emulator on a mesh of element size h.
+JobModel finite_element_model(const CalibrationJob& job, const CalibrationReading& reading, const Emulator& emulator,
+                              double h);
+
+// One drag coefficient c for all, one strength s for each material that has a parameter of its own for the modulus.
+JobModel dehn_model(const CalibrationJob& job);
+
+// Natural values of all the job's parameters at a point of the reading's fitted ones.
+std::vector<double> natural_values(const CalibrationJob& job, const CalibrationReading& reading, const JobModel& model,
+                                   const Eigen::VectorXd& searched);
+
+// A stress is fitted as a multiple of its own size, or of this share of the largest of its curve where it is smaller.
+inline constexpr double smallest_stress_share = 0.02;
+std::vector<double> stress_scales(const MeasuredCurve& curve);
+
+// The curves as data: stress over scale.
+std::vector<Datum> curve_data(const CalibrationJob& job);
+
+}  // namespace percal

@@ -1,0 +1,21 @@
+// Plots of a calibration: scripts for gnuplot, and the points as CSV.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/calibrate/result.hpp"
+
+namespace percal {
+
+// To be kept as NAME.csv and NAME.svg; gnuplot prints the SVG of `script` on standard output.
+struct Plot {
+  std::string name;
+  std::string csv;
+  std::string script;
+};
+
+// "ridge_PARAMETER" for each modulus that has a ridge, its level sets in all readings with the best points and the published ones;
+// "depths_N", depths measured against model's, for each reading (from 1); "error_vs_time", the emulators' error round by round.
+std::vector<Plot> calibration_plots(const CalibrationJob& job, const CalibrationResult& result);
+
+}  // namespace percal

@@ -1,0 +1,56 @@
+// [[curves]].
+#include <algorithm>
+
+#include "percal/calibrate/read_job.hpp"
+#include "percal/fit/read_curves.hpp"
+#include "percal/text/job_table.hpp"
+#include "percal/units/words.hpp"
+
+namespace percal {
+namespace {
+
+// The command's own messages speak of its options; here the keys are checked first.
+CurveColumns columns_from(const TomlTable& block, const CsvTable& table) {
+  CurveColumns columns;
+  for (const auto& [key, column] : {std::pair{"x", &columns.x}, std::pair{"y", &columns.y}})
+    if (block.has(key)) *column = table.columns[column_index(block, key, table)].header;
+  columns.mode = block.text("mode", "");
+  const bool mode_column = table.find("mode").has_value();
+  if (block.has("mode") && mode_column)
+    block.refuse("mode", "mode beside a column \"mode\" of " + table.file,
+                 "one of them; where = [\"mode=...\"] to choose rows");
+  if (!mode_column && !deformation_of(columns.mode))
+    block.refuse("mode",
+                 block.has("mode") ? in_quotes(columns.mode) : "no such key, and no column \"mode\" in " + table.file,
+                 deformation_words());
+  return columns;
+}
+
+MeasuredCurve curve_from(const TomlTable& block, CalibrationJob& job) {
+  const CsvTable table = table_of(block);
+  MeasuredCurve curve{.name = block.text("name"),
+                      .material = material_index(block, job),
+                      .data = curves_of(table, columns_from(block, table)),
+                      .relative_error = share_from(block, "error", not_negative("share"), 0),
+                      .rate_factor = block.number("rate_factor", positive("factor"), 1),
+                      .rate_factor_error = share_from(block, "rate_factor_error", not_negative("share"), 0),
+                      .group = group_index(block, "curves", job),
+                      .synthetic = block.flag("synthetic", false)};
+  if (std::all_of(curve.data.points.begin(), curve.data.points.end(),
+                  [](const StressPoint& point) { return point.nominal_stress == 0; }))
+    block.refuse("file", "no stress other than 0 in " + table.file, "a curve with stresses");
+  return curve;
+}
+
+}  // namespace
+
+void read_job_curves(const TomlTable& root, CalibrationJob& job) {
+  for (const TomlTable& block : root.tables("curves")) {
+    MeasuredCurve curve = curve_from(block, job);
+    for (const MeasuredCurve& other : job.curves)
+      if (other.name == curve.name) block.refuse("name", in_quotes(curve.name) + " again", "a name of its own");
+    job.curves.push_back(std::move(curve));
+  }
+}
+
+}  // namespace percal

@@ -1,0 +1,230 @@
+// [[shots]]: rows of a table, or points written into the job.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/calibrate/read_job.hpp"
+#include "percal/text/job_table.hpp"
+#include "percal/units/words.hpp"
+
+namespace percal {
+namespace {
+
+const Range length = positive("length"), density = positive("density"), speed = positive("speed");
+const std::vector<std::string> use_words{"fit", "predict"};
+const double default_width = 5;  // radii
+
+// The conditions of a key, row by row; all rows where the block has none.
+std::vector<bool> rows_meeting(const TomlTable& block, const std::string& key, const CsvTable& table) {
+  std::vector<bool> meets(table.rows.size(), true);
+  if (!block.has(key)) return meets;
+  const CsvTable kept = table.where(block.texts(key));
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    meets[i] = std::any_of(kept.rows.begin(), kept.rows.end(),
+                           [&](const CsvRow& row) { return row.line == table.rows[i].line; });
+  return meets;
+}
+
+// One number for all rows (`key`), or one for each (`key`_column).
+std::vector<double> for_each_row(const TomlTable& block, const std::string& key, const CsvTable& table,
+                                 const Dimension& dimension, const Range& range) {
+  const std::string column = key + "_column";
+  if (block.has(key) && block.has(column)) block.refuse(column, "this beside " + key, "one of the two");
+  if (block.has(column)) return column_of(block, column, table, dimension, range);
+  if (!block.has(key)) {
+    block.optional_text(column);
+    block.refuse(key, "no such key", fmt::format("{}, or {} = \"COLUMN\"", words_of(range, dimension), column));
+  }
+  return std::vector<double>(table.rows.size(), block.quantity(key, dimension, range));
+}
+
+// Radii, by whichever of radius and diameter the block has.
+std::vector<double> radii(const TomlTable& block, const CsvTable& table) {
+  const bool by_diameter = block.has("diameter") || block.has("diameter_column");
+  if (!by_diameter) return for_each_row(block, "radius", table, dimension::length, length);
+  for (const char* key : {"radius", "radius_column"})
+    if (block.has(key)) block.refuse(key, "this beside a diameter", "one of the two");
+  auto sizes = for_each_row(block, "diameter", table, dimension::length, length);
+  for (double& size : sizes) size /= 2;
+  return sizes;
+}
+
+// The standard deviation of a depth: a length, or a share of it.
+double depth_error_from(const TomlTable& block, double depth) {
+  if (!block.has("depth_error")) return 0;
+  const bool is_share = !block.is_text("depth_error") || block.text("depth_error").find('%') != std::string::npos;
+  if (is_share)
+    return depth *
+           *optional_share_from(block, "depth_error", not_negative("share of the depth, as \"5 %\", or a length,"));
+  return block.quantity("depth_error", dimension::length, not_negative("length"));
+}
+
+void read_depth_errors(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
+  if (block.has("depth_error_column")) {
+    for (const char* key : {"depth_error", "depth_error_where"})
+      if (block.has(key)) block.refuse(key, "this beside depth_error_column", "one of the two");
+    const auto errors = column_of(block, "depth_error_column", table, dimension::length, not_negative("length"));
+    for (std::size_t i = 0; i < shots.size(); ++i) shots[i].depth_error = errors[i];
+    return;
+  }
+  if (block.has("depth_error_where") && !block.has("depth_error"))
+    block.refuse("depth_error", "no such key beside depth_error_where", "the error of these rows");
+  const auto meets = rows_meeting(block, "depth_error_where", table);
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    if (meets[i]) shots[i].depth_error = depth_error_from(block, shots[i].depth);
+}
+
+void read_use(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
+  const bool fitted = block.word("use", use_words, 0) == 0;
+  if (!fitted && block.has("fit_where")) block.refuse("fit_where", "this beside use = \"predict\"", "one of the two");
+  const auto chosen = rows_meeting(block, "fit_where", table);
+  for (std::size_t i = 0; i < shots.size(); ++i) shots[i].used = fitted && chosen[i];
+}
+
+void read_at_least(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
+  const bool all = block.flag("at_least", false);
+  if (all && block.has("at_least_where"))
+    block.refuse("at_least_where", "this beside at_least = true", "one of the two");
+  const auto meets = rows_meeting(block, "at_least_where", table);
+  for (std::size_t i = 0; i < shots.size(); ++i) shots[i].at_least = all || (block.has("at_least_where") && meets[i]);
+}
+
+std::string label_of(const std::string& particle, const MeasuredShot& shot) {
+  return fmt::format("{} {} at {}", particle, format_quantity(2 * shot.radius, dimension::length),
+                     format_quantity(shot.speed, dimension::speed));
+}
+
+std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
+  const CsvTable table = table_of(block);
+  const auto sizes = radii(block, table);
+  const auto densities = for_each_row(block, "particle_density", table, dimension::density, density);
+  const auto speeds = for_each_row(block, "speed", table, dimension::speed, speed);
+  const auto depths = column_of(block, "depth_column", table, dimension::length, length);
+  if (block.has("particle") && block.has("particle_column"))
+    block.refuse("particle_column", "this beside particle", "one of the two");
+  std::vector<std::string> particles(table.rows.size(), block.text("particle", "sphere"));
+  if (block.has("particle_column"))
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      particles[i] = table.rows[i].cells[column_index(block, "particle_column", table)];
+  std::vector<MeasuredShot> shots(table.rows.size());
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    MeasuredShot& shot = shots[i];
+    shot.radius = sizes[i];
+    shot.density = densities[i];
+    shot.speed = speeds[i];
+    shot.depth = depths[i];
+    shot.label = label_of(particles[i], shot);
+    for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = table.rows[i].cells[c];
+  }
+  read_depth_errors(block, table, shots);
+  read_use(block, table, shots);
+  read_at_least(block, table, shots);
+  return shots;
+}
+
+MeasuredShot shot_of_point(const TomlTable& point) {
+  MeasuredShot shot;
+  if (point.has("diameter") && point.has("radius")) point.refuse("radius", "this beside diameter", "one of the two");
+  shot.radius = point.has("diameter") ? point.quantity("diameter", dimension::length, length) / 2
+                                      : point.quantity("radius", dimension::length, length);
+  shot.density = point.quantity("particle_density", dimension::density, density);
+  shot.speed = point.quantity("speed", dimension::speed, speed);
+  shot.depth = point.quantity("depth", dimension::length, length);
+  shot.depth_error = depth_error_from(point, shot.depth);
+  shot.at_least = point.flag("at_least", false);
+  shot.used = point.word("use", use_words, 0) == 0;
+  shot.label = point.text("label", label_of("sphere", shot));
+  shot.row["label"] = shot.label;
+  return shot;
+}
+
+std::vector<MeasuredShot> shots_of_points(const TomlTable& block) {
+  std::vector<MeasuredShot> shots;
+  for (const TomlTable& point : block.tables("points")) shots.push_back(shot_of_point(point));
+  return shots;
+}
+
+// In radii of each sphere, or one length for all.
+double layer_size(const TomlTable& block, const std::string& key, double radius, std::optional<double> fallback) {
+  const std::string in_radii = key + "_radii";
+  const Range above_one{.low = 1, .high = 1e6, .low_open = true, .words = "more than one radius"};
+  if (block.has(key) && block.has(in_radii)) block.refuse(in_radii, "this beside " + key, "one of the two");
+  if (block.has(in_radii)) return block.number(in_radii, above_one) * radius;
+  const auto size = block.optional_quantity(key, dimension::length, length);
+  if (!size && !fallback) {
+    block.optional_number(in_radii, above_one);
+    block.refuse(key, "no such key", fmt::format("the layer's size, or {} in radii of the sphere", in_radii));
+  }
+  if (size && *size <= radius)
+    block.refuse(key, format_quantity(*size, dimension::length),
+                 "more than the sphere's radius, " + format_quantity(radius, dimension::length));
+  return size ? *size : *fallback * radius;
+}
+
+void read_layer(const TomlTable& block, MeasuredShot& shot) {
+  shot.layer_depth = layer_size(block, "layer_depth", shot.radius, {});
+  shot.layer_width = layer_size(block, "layer_width", shot.radius, default_width);
+  if (shot.depth > shot.layer_depth)
+    block.refuse(block.has("layer_depth_radii") ? "layer_depth_radii" : "layer_depth",
+                 fmt::format("{}, but the shot {} went {} deep", format_quantity(shot.layer_depth, dimension::length),
+                             in_quotes(shot.label), format_quantity(shot.depth, dimension::length)),
+                 "a layer as deep as its shots, or deeper");
+}
+
+// The emulator has the layer's depth among its inputs, not its width.
+void check_width(const TomlTable& block, const CalibrationJob& job, const MeasuredShot& shot) {
+  if (job.shots.empty()) return;
+  const MeasuredShot& first = job.shots.front();
+  const double width = shot.layer_width / shot.radius, expected = first.layer_width / first.radius;
+  constexpr double rounding = 1e-9;
+  if (std::abs(width / expected - 1) > rounding)
+    block.refuse(block.has("layer_width") ? "layer_width" : "layer_width_radii", fmt::format("{:.6g} radii", width),
+                 fmt::format("one width in radii for all shots of a job, here {:.6g}: layer_width_radii", expected));
+}
+
+// Blocks of one name are one set.
+int set_index(const TomlTable& block, CalibrationJob& job) {
+  const std::string name = block.text("name");
+  const bool leave_one_out = block.flag("leave_one_out", false);
+  for (std::size_t s = 0; s < job.sets.size(); ++s) {
+    if (job.sets[s].name != name) continue;
+    if (job.sets[s].leave_one_out != leave_one_out)
+      block.refuse("leave_one_out", leave_one_out ? "true" : "false",
+                   "what the first block of the set " + in_quotes(name) + " says");
+    return static_cast<int>(s);
+  }
+  job.sets.push_back({name, leave_one_out});
+  return static_cast<int>(job.sets.size()) - 1;
+}
+
+std::vector<MeasuredShot> shots_from(const TomlTable& block) {
+  if (block.has("file") && block.has("points")) block.refuse("points", "this beside file", "one of the two");
+  if (!block.has("file") && !block.has("points"))
+    block.refuse("file", "neither file nor points", "file = \"TABLE.csv\", or [[shots.points]]");
+  return block.has("file") ? shots_of_table(block) : shots_of_points(block);
+}
+
+}  // namespace
+
+void read_shots(const TomlTable& root, CalibrationJob& job) {
+  for (const TomlTable& block : root.tables("shots")) {
+    auto shots = shots_from(block);
+    const int material = material_index(block, job), set = set_index(block, job),
+              group = group_index(block, "shots", job);
+    const bool several = job.materials.size() > 1;
+    const double speed_error = block.quantity("speed_error", dimension::speed, not_negative("speed"), 0);
+    for (MeasuredShot& shot : shots) {
+      shot.material = material;
+      shot.set = set;
+      shot.group = group;
+      shot.speed_error = speed_error;
+      if (several && block.has("file")) shot.label += " into " + job.materials[material].name;
+      read_layer(block, shot);
+      check_width(block, job, shot);
+      job.shots.push_back(std::move(shot));
+    }
+  }
+}
+
+}  // namespace percal

@@ -1,0 +1,158 @@
+#include "percal/calibrate/reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/calibrate/advice.hpp"
+#include "percal/calibrate/error_budget.hpp"
+#include "percal/calibrate/reading_findings.hpp"
+#include "percal/calibrate/shot_problem.hpp"
+#include "percal/math/statistics.hpp"
+
+namespace percal {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int ridge_grid = 9;  // points along each axis
+
+std::vector<int> all_shots(const CalibrationJob& job) {
+  std::vector<int> shots;
+  for (std::size_t i = 0; i < job.shots.size(); ++i) shots.push_back(static_cast<int>(i));
+  return shots;
+}
+
+// Place of a material's number among the fitted parameters; -1 where it is not fitted.
+int fitted_place(const JobModel& model, const JobFit& fit, const MaterialNumber& number) {
+  const auto* shared = std::get_if<SharedParameter>(&number);
+  if (!shared) return -1;
+  for (std::size_t k = 0; k < fit.of_model.size(); ++k)
+    if (model.of_job[fit.of_model[k]] == shared->index) return static_cast<int>(k);
+  return -1;
+}
+
+// A fitted shot says how deep it went into this material, and nothing is lost by reporting on it: the first material, and those whose
+// quasi-static modulus is asked for.
+bool told_about(const CalibrationJob& job, const JobFit& fit, std::size_t material) {
+  const bool measured = std::any_of(fit.shots.begin(), fit.shots.end(), [&](int i) {
+    return job.shots[i].material == static_cast<int>(material) && !job.shots[i].at_least;
+  });
+  return measured && (material == 0 || job.materials[material].rate_factor);
+}
+
+std::vector<RidgeMap> ridges(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
+  std::vector<RidgeMap> maps;
+  for (std::size_t m = 0; m < job.materials.size(); ++m) {
+    const int mu = fitted_place(model, fit, job.materials[m].mu);
+    const int strain = fitted_place(model, fit, job.materials[m].erosion_strain);
+    if (told_about(job, fit, m) && mu >= 0 && strain >= 0)
+      maps.push_back(ridge_map(fit.problem, fit.best(), strain, mu, ridge_grid, quick_search()));
+  }
+  return maps;
+}
+
+// Each shot from the fit to others.
+void add_predictions(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
+                     ReadingResult& result) {
+  for (const CrossValidation& wanted : job.cross_validations)
+    if (wanted.readings.empty() || std::count(wanted.readings.begin(), wanted.readings.end(), reading))
+      result.cross_validations.push_back(cross_validate(job, model, wanted, quick_search()));
+  for (std::size_t s = 0; s < job.sets.size(); ++s)
+    if (job.sets[s].leave_one_out)
+      result.leave_one_out.push_back(leave_one_out(job, model, static_cast<int>(s), fit, quick_search()));
+}
+
+}  // namespace
+
+SearchOptions quick_search() { return {.global_evaluations = 800, .starts = 4}; }
+SearchOptions thorough_search() { return {.global_evaluations = 4000, .starts = 8}; }
+
+ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
+  const ModelAnswer answer = model.log_depths(fit.at, fit.shots, Want::values_and_covariance);
+  const VectorXd exponents = model.speed_exponents(fit.at, fit.shots);
+  ErrorSizes sizes;
+  for (std::size_t k = 0; k < fit.shots.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const MeasuredShot& shot = job.shots[fit.shots[k]];
+    const auto n = static_cast<double>(fit.shots.size());
+    sizes.emulator += std::sqrt(std::max(0.0, answer.covariance(i, i))) / n;
+    sizes.data += std::hypot(known_log_error(shot, exponents[i]), fit.best().scatter[shot.group]) / n;
+  }
+  return sizes;
+}
+
+ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& model, const JobModel& without_mesh,
+                       const JobFit& fit, const CalibrationLimits& limits) {
+  const CalibrationReading& read = job.readings[reading];
+  ReadingResult result;
+  result.reading = reading;
+  result.minima = fit.minima;
+  for (int k : fit.of_model) result.parameters.push_back(model.of_job[k]);
+  result.intervals = profile_intervals(fit.problem, fit.best(), job.level, quick_search());
+  result.combinations = combinations(fit.problem, fit.best());
+  result.shots = shot_depths(job, model, fit, all_shots(job));
+  result.sets = set_deviations(job, result.shots);
+  result.moduli = material_moduli(job, read, model, fit, result.intervals);
+
+  const VectorXd mesh_shift = without_mesh.log_depths(fit.at, fit.shots, Want::values).value -
+                              model.log_depths(fit.at, fit.shots, Want::values).value;
+  result.mesh_error = mesh_shift.size() > 0 ? mesh_shift.mean() : 0;
+  std::vector<LogQuantity> quantities;
+  for (std::size_t m = 0; m < job.materials.size(); ++m) {
+    LogQuantity quantity = stiffness_quantity(job, read, model, fit, static_cast<int>(m));
+    if (quantity.gradient.cwiseAbs().maxCoeff() > 0 && told_about(job, fit, m)) quantities.push_back(quantity);
+  }
+  for (const LogQuantity& quantity : quantities)
+    result.budgets.push_back(error_budget(job, model, fit, quantity, mesh_shift));
+  result.advice = advise(job, model, fit, quantities);
+  result.findings = reading_findings(job, model, fit, result);
+  if (limits.spent()) {
+    result.findings.push_back("Without cross-validation, bootstrap and ridge: the budget was spent.");
+    return result;
+  }
+  add_predictions(job, reading, model, fit, result);
+  if (job.bootstrap > 0)
+    result.bootstrap = bootstrap(fit.problem, fit.best(), BootstrapKind::parametric, job.bootstrap, job.level,
+                                 job.training.seed, quick_search());
+  result.ridges = ridges(job, model, fit);
+  return result;
+}
+
+std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
+                                 const Emulator& emulator, Campaign& campaign) {
+  const CalibrationReading& read = job.readings[reading];
+  const auto natural = natural_values(job, read, model, fit.at);
+  std::vector<Problem> problems;
+  for (int i : fit.shots) {
+    const MeasuredShot& shot = job.shots[i];
+    problems.push_back(
+        shot_problem(job, read, shot, material_at(job, read, shot.material, natural), job.training.verify));
+  }
+  const int replicates = job.training.verify_replicates;
+  Progress progress("fresh runs at the best point: " + read.name, static_cast<long>(problems.size()) * replicates);
+  const auto runs = campaign.replicate(problems, replicates, &progress);
+  const ModelAnswer emulated = model.log_depths(fit.at, fit.shots, Want::values_and_covariance);
+  const double noise = emulator.noise(1.0 / job.training.verify);
+  std::vector<FreshRun> fresh;
+  for (std::size_t k = 0; k < fit.shots.size(); ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    FreshRun run{.shot = fit.shots[k], .elements_per_radius = job.training.verify, .depth = {}, .outcome = "stopped"};
+    run.emulated = std::exp(emulated.value[i]);
+    std::vector<double> depths;
+    for (const Evaluation& evaluation : runs[k]) {
+      if (evaluation.result.outcome == Outcome::stopped)
+        depths.push_back(evaluation.result.depth * job.shots[fit.shots[k]].radius);
+      else
+        run.outcome = word(evaluation.result.outcome);
+    }
+    if (static_cast<int>(depths.size()) == replicates) {
+      run.depth = mean(depths);
+      run.standardised = std::log(*run.depth / run.emulated) /
+                         std::sqrt(emulated.covariance(i, i) + noise * noise / static_cast<double>(replicates));
+    }
+    fresh.push_back(run);
+  }
+  return fresh;
+}
+
+}  // namespace percal

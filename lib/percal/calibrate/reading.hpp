@@ -1,0 +1,28 @@
+// One reading of a job, from the emulator's fit to all that is said about it.
+#pragma once
+#include "percal/calibrate/job_fit.hpp"
+#include "percal/calibrate/limits.hpp"
+#include "percal/campaign/campaign.hpp"
+
+namespace percal {
+
+// What it costs to search in the rounds of training, and at the end.
+SearchOptions quick_search();
+SearchOptions thorough_search();
+
+// Fit, intervals, predictions, cross-validations, error budgets, advice; no runs are made. What takes long is left out, and said to
+// be, where the budget is spent.
+ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& model, const JobModel& without_mesh,
+                       const JobFit& fit, const CalibrationLimits& limits);
+
+// The fitted shots run anew at the best point, on the verifying mesh.
+std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
+                                 const Emulator& emulator, Campaign& campaign);
+
+// Error of the emulator and of the data at the fitted shots, as relative standard deviations, means over the shots.
+struct ErrorSizes {
+  double emulator = 0, data = 0;
+};
+ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit);
+
+}  // namespace percal

@@ -1,0 +1,200 @@
+#include "percal/calibrate/reading_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace percal {
+namespace {
+
+constexpr double mean_of_normal = 0.7979;  // E|x| of a standard normal number
+constexpr double trusted_spread =
+    1.5;  // of standardised fresh runs: more, and the emulator's stated error is too small
+
+std::string number(double value) { return fmt::format("{:.3g}", value); }
+
+// A parameter's value with its interval and unit, moduli in the unit that reads best.
+std::string with_interval(const FreeParameter& parameter, double value, const Interval& interval) {
+  const double size = parameter.unit != "Pa" ? 1 : value >= 1e6 ? 1e6 : 1e3;
+  const std::string unit = parameter.unit.empty()   ? ""
+                           : parameter.unit != "Pa" ? " " + parameter.unit
+                           : value >= 1e6           ? " MPa"
+                                                    : " kPa";
+  return fmt::format("{}{} ({}{} to {}{})", number(value / size), unit, interval.low_open ? "below " : "",
+                     number(interval.low / size), interval.high_open ? "above " : "", number(interval.high / size));
+}
+
+// What the fit's scatter would do to a perfect model: nothing can be predicted better.
+void scatter_alone(const CalibrationJob& job, const JobFit& fit, std::vector<std::string>& sentences) {
+  for (std::size_t g = 0; g < job.groups.size(); ++g) {
+    const double scatter = fit.best().scatter[g];
+    const bool any = std::any_of(fit.problem.data.begin(), fit.problem.data.end(),
+                                 [&](const Datum& d) { return d.group == static_cast<int>(g); });
+    if (!any || !(scatter > 0)) continue;
+    sentences.push_back(
+        fmt::format("The data of \"{}\" scatter by {:.2g} % about the model beyond their known errors; a perfect model "
+                    "would still be off by {:.2g} % "
+                    "in the mean.",
+                    job.groups[g].name, 100 * scatter, 100 * mean_of_normal * scatter));
+  }
+}
+
+void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, const ReadingResult& result,
+                               std::vector<std::string>& sentences) {
+  for (std::size_t k = 0; k < result.parameters.size(); ++k) {
+    const auto& parameter = job.parameters[result.parameters[k]];
+    if (parameter.kind != ParameterKind::erosion_strain) continue;
+    const double strain = parameter.free.natural(fit.best().searched[static_cast<Eigen::Index>(k)]);
+    const double stretch = 1 + strain;
+    sentences.push_back(
+        fmt::format("{} {:.3g} is the engineering strain; the same critical stretch {:.3g} is {:.3g} as a true strain "
+                    "and {:.3g} as a "
+                    "Green-Lagrange strain: depths know only the stretch.",
+                    parameter.free.name, strain, stretch, strain_at(stretch, StrainMeasure::true_strain),
+                    strain_at(stretch, StrainMeasure::green_lagrange)));
+  }
+}
+
+void moduli_beside_curves(const ReadingResult& result, std::vector<std::string>& sentences) {
+  for (const MaterialModuli& m : result.moduli) {
+    if (!m.curve_modulus) continue;
+    const auto& [low, high, low_open, high_open] = m.mu_true.interval;
+    const bool held = low == high;
+    if (held) continue;
+    const bool agree = low <= *m.curve_modulus && *m.curve_modulus <= high;
+    sentences.push_back(
+        fmt::format("{}: the depths need mu = {:.3g} kPa ({:.3g} to {:.3g}), its curve says {:.3g} kPa: {}.",
+                    m.material, m.mu_true.value / 1e3, low / 1e3, high / 1e3, *m.curve_modulus / 1e3,
+                    agree ? "no contradiction" : "they contradict each other"));
+  }
+}
+
+void synthetic_curves(const CalibrationJob& job, std::vector<std::string>& sentences) {
+  for (const MeasuredCurve& curve : job.curves)
+    if (curve.synthetic)
+      sentences.push_back(fmt::format("The curve \"{}\" is synthetic: generated, not measured.", curve.name));
+}
+
+}  // namespace
+
+std::vector<std::string> reading_findings(const CalibrationJob& job, const JobModel&, const JobFit& fit,
+                                          const ReadingResult& result) {
+  std::vector<std::string> sentences = findings(fit.problem, fit.minima, result.intervals);
+  erosion_in_other_measures(job, fit, result, sentences);
+  moduli_beside_curves(result, sentences);
+  scatter_alone(job, fit, sentences);
+  for (const ErrorBudget& budget : result.budgets)
+    sentences.push_back(fmt::format("{} hangs most on {}: {:+.2g} % for each per cent of that depth.", budget.quantity,
+                                    budget.most_influential, budget.influence));
+  synthetic_curves(job, sentences);
+  return sentences;
+}
+
+namespace {
+
+// A reading that holds a number is set beside the first one that leaves it free.
+void held_against_free(const CalibrationJob& job, const CalibrationResult& result,
+                       std::vector<std::string>& sentences) {
+  for (const ReadingResult& holding : result.readings)
+    for (const auto& [parameter, value] : job.readings[holding.reading].held)
+      for (const ReadingResult& freeing : result.readings) {
+        const auto place = std::find(freeing.parameters.begin(), freeing.parameters.end(), parameter);
+        const auto& a = job.readings[holding.reading];
+        const auto& b = job.readings[freeing.reading];
+        if (place == freeing.parameters.end() || a.convention != b.convention ||
+            a.contact_stiffness != b.contact_stiffness)
+          continue;
+        const auto k = static_cast<std::size_t>(place - freeing.parameters.begin());
+        const FreeParameter& p = job.parameters[parameter].free;
+        const Interval& interval = freeing.intervals[k].interval;
+        const double best = p.natural(freeing.minima[0].searched[static_cast<Eigen::Index>(k)]);
+        const bool inside = interval.low <= value && value <= interval.high;
+        const double size = p.unit == "Pa" ? (value >= 1e6 ? 1e6 : 1e3) : 1;
+        sentences.push_back(fmt::format("\"{}\" holds {} at {:.3g}{}, {} of \"{}\", which finds {}.", a.name, p.name,
+                                        value / size, p.unit == "Pa" ? (size > 1e3 ? " MPa" : " kPa") : "",
+                                        inside ? "within the interval" : "outside the interval", b.name,
+                                        with_interval(p, best, interval)));
+        break;
+      }
+}
+
+void fresh_against_emulated(const CalibrationJob& job, const CalibrationResult& result,
+                            std::vector<std::string>& sentences) {
+  for (const ReadingResult& reading : result.readings) {
+    double sum = 0;
+    int count = 0, failed = 0;
+    for (const FreshRun& run : reading.fresh) {
+      if (!run.depth) {
+        ++failed;
+        continue;
+      }
+      sum += run.standardised * run.standardised;
+      ++count;
+    }
+    if (count == 0) continue;
+    const double spread = std::sqrt(sum / count);
+    sentences.push_back(
+        fmt::format("\"{}\": {} fresh runs on {} elements per radius lie {:.2g} of the emulator's stated errors from "
+                    "it (1 is right{}){}.",
+                    job.readings[reading.reading].name, count, job.training.verify, spread,
+                    spread > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
+                    failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
+  }
+}
+
+// Quasi-static E over the readings: what the choices alone are worth.
+void spread_over_readings(const CalibrationJob& job, const CalibrationResult& result,
+                          std::vector<std::string>& sentences) {
+  for (std::size_t m = 0; m < job.materials.size(); ++m) {
+    double low = 0, high = 0;
+    int count = 0;
+    for (const ReadingResult& reading : result.readings) {
+      if (m >= reading.moduli.size() || !reading.moduli[m].youngs_quasi_static_true) continue;
+      const double e = reading.moduli[m].youngs_quasi_static_true->value;
+      low = count == 0 ? e : std::min(low, e);
+      high = count == 0 ? e : std::max(high, e);
+      ++count;
+    }
+    if (count > 1)
+      sentences.push_back(
+          fmt::format("{}: the readings put the quasi-static E = 3 mu between {:.3g} and {:.3g} MPa: a choice that the "
+                      "depths do not settle.",
+                      job.materials[m].name, low / 1e6, high / 1e6));
+  }
+}
+
+void closed_form_beside(const CalibrationJob& job, const CalibrationResult& result,
+                        std::vector<std::string>& sentences) {
+  if (!result.dehn) return;
+  const auto compare = [&](const CrossValidationResult& ours, const CrossValidationResult& theirs,
+                           const std::string& reading) {
+    if (ours.prediction.shots == 0) return;
+    if (theirs.prediction.mean_absolute < ours.prediction.mean_absolute)
+      sentences.push_back(
+          fmt::format("Dehn's closed form predicts better in \"{}\": {:.3g} % against {:.3g} % of \"{}\".", ours.name,
+                      100 * theirs.prediction.mean_absolute, 100 * ours.prediction.mean_absolute, reading));
+  };
+  for (const ReadingResult& reading : result.readings) {
+    const std::string& name = job.readings[reading.reading].name;
+    for (const auto& ours : reading.cross_validations)
+      for (const auto& theirs : result.dehn->cross_validations)
+        if (ours.name == theirs.name) compare(ours, theirs, name);
+    for (const auto& ours : reading.leave_one_out)
+      for (const auto& theirs : result.dehn->leave_one_out)
+        if (ours.name == theirs.name) compare(ours, theirs, name);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> overall_findings(const CalibrationJob& job, const CalibrationResult& result) {
+  std::vector<std::string> sentences;
+  held_against_free(job, result, sentences);
+  spread_over_readings(job, result, sentences);
+  fresh_against_emulated(job, result, sentences);
+  closed_form_beside(job, result, sentences);
+  return sentences;
+}
+
+}  // namespace percal

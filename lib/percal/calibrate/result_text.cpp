@@ -1,0 +1,117 @@
+#include "percal/calibrate/result_text.hpp"
+
+#include <algorithm>
+
+#include "percal/calibrate/text_parts.hpp"
+
+namespace percal {
+
+using namespace calibration_text;
+
+namespace {
+
+// A parameter of the job under a reading: fitted, held, or without a datum.
+std::string value_under(const CalibrationJob& job, const ReadingResult& reading, int parameter) {
+  const FreeParameter& free = job.parameters[parameter].free;
+  const auto& held = job.readings[reading.reading].held;
+  if (const auto found = held.find(parameter); found != held.end()) return value_of(free, found->second) + " held";
+  const auto place = std::find(reading.parameters.begin(), reading.parameters.end(), parameter);
+  if (place == reading.parameters.end() || reading.minima.empty()) return "-";
+  return value_of(free, free.natural(reading.minima.front().searched[place - reading.parameters.begin()]));
+}
+
+// Names of the sets of shots in all readings, in their order.
+std::vector<std::string> set_names(const CalibrationResult& result) {
+  std::vector<std::string> names;
+  for (const ReadingResult& reading : result.readings)
+    for (const Deviation& set : reading.sets)
+      if (std::find(names.begin(), names.end(), set.name) == names.end()) names.push_back(set.name);
+  return names;
+}
+
+}  // namespace
+
+TextTable readings_side_by_side(const CalibrationJob& job, const CalibrationResult& result) {
+  TextTable table{"readings side by side", {{"", "mu means", "strain"}}, {}};
+  for (const auto& parameter : job.parameters) table.rows[0].push_back(parameter.free.name);
+  const auto sets = set_names(result);
+  table.rows[0].insert(table.rows[0].end(), sets.begin(), sets.end());
+  for (const CalibrationMaterial& material : job.materials)
+    if (material.rate_factor) table.rows[0].push_back("E of " + material.name);
+  for (const ReadingResult& reading : result.readings) {
+    const CalibrationReading& read = job.readings[reading.reading];
+    std::vector<std::string> row{read.name, word(read.convention), word(read.measure)};
+    for (std::size_t k = 0; k < job.parameters.size(); ++k)
+      row.push_back(value_under(job, reading, static_cast<int>(k)));
+    for (const std::string& set : sets) {
+      const auto found =
+          std::find_if(reading.sets.begin(), reading.sets.end(), [&](const Deviation& d) { return d.name == set; });
+      row.push_back(found != reading.sets.end() && found->shots > 0 ? percent(found->mean_absolute) : "-");
+    }
+    for (const CalibrationMaterial& material : job.materials) {
+      if (!material.rate_factor) continue;
+      const auto found = std::find_if(reading.moduli.begin(), reading.moduli.end(),
+                                      [&](const MaterialModuli& m) { return m.material == material.name; });
+      const bool known = found != reading.moduli.end() && found->youngs_quasi_static_true;
+      row.push_back(known ? pressure(found->youngs_quasi_static_true->value) : "-");
+    }
+    table.rows.push_back(row);
+  }
+  table.notes.push_back("moduli as given; E = 3 mu, mu true, quasi-static; sets: mean deviation of the depths");
+  return table;
+}
+
+TextTable dehn_table(const CalibrationJob& job, const DehnResult& dehn) {
+  TextTable table{"Dehn's closed form, fitted to the same shots",
+                  {{"", "value", fmt::format("{:g} % interval", 100 * job.level)}},
+                  {}};
+  for (std::size_t k = 0; k < dehn.parameters.size(); ++k) {
+    const FreeParameter& parameter = dehn.parameters[k];
+    const auto word = [&](double value) { return value_of(parameter, value); };
+    std::string interval = "-";
+    for (const ProfileInterval& one : dehn.intervals)
+      if (one.parameter == static_cast<int>(k)) interval = interval_words(one.interval, word);
+    table.rows.push_back(
+        {parameter.name, word(parameter.natural(dehn.minimum.searched[static_cast<Eigen::Index>(k)])), interval});
+  }
+  return table;
+}
+
+std::vector<TextTable> emulator_tables(const CalibrationResult& result) {
+  TextTable table{"emulators",
+                  {{"", "runs", "reused", "not of this job", "leave-one-out error", "within its 95 %", "solver's noise",
+                    "error at the optimum", "data's error", "stopped because"}},
+                  {}};
+  std::vector<TextTable> tables;
+  for (const EmulatorReport& emulator : result.emulators) {
+    table.rows.push_back({emulator.setting, fmt::format("{}", emulator.runs), fmt::format("{}", emulator.reused),
+                          fmt::format("{}", emulator.foreign), percent(emulator.leave_one_out),
+                          percent(emulator.coverage95), percent(emulator.settings.noise),
+                          percent(emulator.error_at_optimum), percent(emulator.data_error), emulator.stopped});
+    std::string outcomes;
+    for (const auto& [name, count] : emulator.outcomes)
+      outcomes += fmt::format("{}{} {}", outcomes.empty() ? "" : ", ", count, name);
+    if (!outcomes.empty()) table.notes.push_back(emulator.setting + ": " + outcomes);
+  }
+  tables.push_back(table);
+  for (const EmulatorReport& emulator : result.emulators) {
+    TextTable rounds{
+        "error against time: " + emulator.setting, {{"runs", "processor time", "error at the optimum"}}, {}};
+    for (const auto& round : emulator.rounds)
+      rounds.rows.push_back(
+          {fmt::format("{}", round.runs), fmt::format("{:.1f} s", round.cpu_seconds), percent(round.error)});
+    if (rounds.rows.size() > 2) tables.push_back(rounds);
+  }
+  return tables;
+}
+
+std::vector<std::string> cost_sentences(const CalibrationCost& cost) {
+  std::vector<std::string> sentences{fmt::format(
+      "{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all{}, {}", cost.runs, cost.reused,
+      cost.cpu_seconds, cost.wall_seconds,
+      cost.budget_seconds ? fmt::format(" of a budget of {:g} s", *cost.budget_seconds) : "", cost.instruction_level)};
+  if (!cost.advice.empty()) sentences.push_back(cost.advice);
+  return sentences;
+}
+
+}  // namespace percal

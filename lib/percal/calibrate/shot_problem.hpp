@@ -1,0 +1,36 @@
+// One shot of a job at one set of material numbers: as a dimensionless problem to run, and as inputs of the emulator.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "percal/calibrate/job.hpp"
+#include "percal/invert/emulator.hpp"
+#include "percal/problem/problem.hpp"
+
+namespace percal {
+
+// A material's numbers as the job's parameters say them, by job parameter.
+struct MaterialAt {
+  double density = 0;      // kg/m3
+  double mu_as_given = 0;  // Pa
+  double mu_true = 0;      // Pa
+  double alpha = 0;
+  double erosion_strain = 0;  // engineering: the critical stretch less 1
+};
+
+// Natural values of all parameters of the job, the held ones included.
+MaterialAt material_at(const CalibrationJob& job, const CalibrationReading& reading, int material,
+                       const std::vector<double>& natural);
+
+// The run that answers for a shot. A sphere is rigid, as in every published run; K/mu keeps the Mach number below 0.3.
+Problem shot_problem(const CalibrationJob& job, const CalibrationReading& reading, const MeasuredShot& shot,
+                     const MaterialAt& material, int elements_per_radius);
+
+// The emulator's inputs for a shot, and their derivatives with respect to ln mu_true, alpha, erosion strain and ln speed.
+struct ShotInputs {
+  SphereInputs at{};
+  Eigen::Matrix<double, sphere_inputs, 4> derivative;
+};
+ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material);
+
+}  // namespace percal

@@ -1,0 +1,212 @@
+#include "percal/calibrate/training.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <utility>
+
+#include "percal/base/error.hpp"
+#include "percal/calibrate/shot_problem.hpp"
+#include "percal/campaign/sphere_runs.hpp"
+#include "percal/math/sobol.hpp"
+
+namespace percal {
+namespace {
+
+constexpr int first_round = 64;       // runs before there is an emulator to choose by
+constexpr int points_looked_at = 25;  // for each run of a space-filling round
+constexpr double near_enough = 0.7;   // of ln depth from the measured one
+constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
+constexpr int smallest_training = 24;
+constexpr int most_foreign = 600;
+
+double element_size(int elements_per_radius) { return 1.0 / elements_per_radius; }
+
+// A name for the job's design that changes with anything in the job's text.
+std::string fingerprint(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (unsigned char c : text) hash = (hash ^ c) * 1099511628211u;
+  return fmt::format("{:016x}", hash);
+}
+
+// The wall is part of the setting that an emulator stands for.
+void refuse_several_widths(const CalibrationJob& job) {
+  const auto radii = [](const MeasuredShot& shot) { return shot.layer_width / shot.radius; };
+  for (const MeasuredShot& shot : job.shots)
+    if (std::abs(radii(shot) / radii(job.shots.front()) - 1) > 1e-9)
+      throw BadInput({job.file, 0, "shots"},
+                     fmt::format("layers {:g} and {:g} radii wide", radii(job.shots.front()), radii(shot)),
+                     "one layer_width_radii for all shots: the emulator knows one wall");
+}
+
+}  // namespace
+
+Training::Training(const CalibrationJob& job, std::vector<int> readings, Store* store, Campaign& campaign,
+                   const CalibrationLimits& limits)
+    : job_(job),
+      reading_(job.readings[readings.front()]),
+      readings_(std::move(readings)),
+      store_(store),
+      campaign_(campaign),
+      limits_(limits) {
+  report_.setting = fmt::format("contact stiffness {:g}", reading_.contact_stiffness);
+  report_.readings = readings_;
+  refuse_several_widths(job_);
+  take_foreign_runs();
+}
+
+// Material numbers for a Sobol point: the parameters' boxes; the last coordinate chooses the shot.
+std::vector<Problem> Training::space_filling_batch(int count) {
+  const auto dimensions = static_cast<int>(job_.parameters.size()) + 1;
+  const int looked_at = count * points_looked_at;
+  const Eigen::MatrixXd points = sobol_points(looked_at, dimensions, next_point_);
+  std::vector<Problem> batch;
+  int k = 0;
+  for (; k < looked_at && static_cast<int>(batch.size()) < count; ++k) {
+    std::vector<double> natural;
+    for (std::size_t j = 0; j < job_.parameters.size(); ++j) {
+      const FreeParameter& p = job_.parameters[j].free;
+      const double low = p.searched(p.low), high = p.searched(p.high);
+      natural.push_back(p.natural(low + (high - low) * points(k, static_cast<Eigen::Index>(j))));
+    }
+    const auto shots = static_cast<double>(job_.shots.size());
+    const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
+    const MaterialAt material = material_at(job_, reading_, shot.material, natural);
+    const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
+    const int mesh = fine ? job_.training.fine : job_.training.coarse;
+    if (emulator_) {
+      const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(mesh), true);
+      const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
+      if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
+    }
+    batch.push_back(shot_problem(job_, reading_, shot, material, mesh));
+  }
+  next_point_ += k;
+  return batch;
+}
+
+void Training::fill_space() {
+  while (design_runs_ < std::min(job_.training.initial, job_.training.most) && !limits_.spent()) {
+    const int wanted = emulator_ ? job_.training.batch : first_round;
+    const auto batch = space_filling_batch(std::min(wanted, job_.training.most - design_runs_));
+    if (batch.empty()) break;
+    run(batch);
+    learn();
+    if (failures()) return;
+  }
+}
+
+// The fine runs first, then the coarse: what the mesh adds varies from point to point, and coarse runs alone would look cheaper.
+void Training::add_round(const std::vector<Target>& targets, const std::vector<Place>& places) {
+  std::vector<SphereInputs> at;
+  std::vector<double> weights;
+  for (const Target& target : targets) {
+    at.push_back(target.at);
+    weights.push_back(target.weight);
+  }
+  const int count = std::min(job_.training.batch, job_.training.most - design_runs_);
+  const int fine = static_cast<int>(std::lround(job_.training.fine_share * count));
+  std::vector<Problem> batch;
+  const auto choose = [&](Problem Place::*mesh, int runs) {
+    std::vector<Emulator::CandidateRun> candidates;
+    for (const Place& place : places)
+      candidates.push_back({inputs_of(place.*mesh), element_size((place.*mesh).elements_per_radius), 1});
+    for (int k : emulator_->choose(candidates, runs, at, weights, element_size(job_.training.verify)))
+      batch.push_back(places[static_cast<std::size_t>(k)].*mesh);
+  };
+  choose(&Place::fine, fine);
+  choose(&Place::coarse, count - fine);
+  run(batch);
+  learn();
+}
+
+// In pieces, so that a budget is kept; the pieces' size does not change what is learnt without one.
+void Training::run(const std::vector<Problem>& problems) {
+  Progress progress(fmt::format("runs for the emulator, {}", report_.setting), static_cast<long>(problems.size()));
+  const std::size_t piece =
+      limits_.budget_seconds ? static_cast<std::size_t>(2 * campaign_.threads()) : problems.size();
+  const CampaignCost before = campaign_.cost();
+  for (std::size_t first = 0; first < problems.size() && !limits_.spent(); first += piece) {
+    const std::vector<Problem> part(
+        problems.begin() + static_cast<std::ptrdiff_t>(first),
+        problems.begin() + static_cast<std::ptrdiff_t>(std::min(first + piece, problems.size())));
+    const auto evaluations = campaign_.evaluate(part, &progress);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      ++design_runs_;
+      const Evaluation& evaluation = evaluations[i];
+      cpu_seconds_ += evaluation.cpu_seconds;
+      ++report_.outcomes[word(evaluation.result.outcome)];
+      const std::string key = evaluation_key(part[i], evaluation.instruction_level);
+      if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
+      taken_.push_back(key);
+      if (evaluation.result.outcome == Outcome::stopped)
+        runs_.push_back(
+            {inputs_of(part[i]), element_size(part[i].elements_per_radius), std::log(evaluation.result.depth)});
+    }
+  }
+  const CampaignCost after = campaign_.cost();
+  report_.runs += static_cast<int>(after.runs - before.runs);
+  report_.reused += static_cast<int>(after.reused - before.reused);
+}
+
+void Training::learn() {
+  if (runs_.size() < smallest_training) return;
+  ++rounds_;
+  const bool search = !emulator_ || static_cast<double>(runs_.size()) >= search_again * searched_at_;
+  if (search) searched_at_ = static_cast<int>(runs_.size());
+  EmulatorOptions options;
+  emulator_.emplace(search ? Emulator(runs_, options) : Emulator(runs_, emulator_->settings()));
+  report_.rounds.push_back({.runs = static_cast<int>(runs_.size()), .cpu_seconds = cpu_seconds_});
+}
+
+void Training::take_foreign_runs() {
+  if (!store_) return;
+  const std::string name = fmt::format("calibration {} {}", fingerprint(job_.text), report_.setting);
+  std::vector<StoredSphere> stored = stored_spheres(*store_);
+  std::sort(stored.begin(), stored.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  // The setting is that of any of the job's problems.
+  std::vector<double> natural;
+  for (const auto& parameter : job_.parameters) natural.push_back(std::sqrt(parameter.free.low * parameter.free.high));
+  const MeasuredShot& shot = job_.shots.front();
+  const std::string setting =
+      setting_of(shot_problem(job_, reading_, shot, material_at(job_, reading_, shot.material, natural), 8));
+  const auto usable = [&](const StoredSphere& s) {
+    return s.depth_over_radius && setting_of(s.problem) == setting &&
+           s.problem.elements_per_radius >= std::min(job_.training.coarse, 6);
+  };
+  if (!store_->note(name)) {
+    std::string keys;
+    int count = 0;
+    for (const auto& s : stored)
+      if (usable(s) && count++ < most_foreign) keys += s.key + "\n";
+    store_->put_note(name, keys);
+  }
+  std::istringstream keys(*store_->note(name));
+  for (std::string key; std::getline(keys, key);) {
+    const auto found = std::lower_bound(stored.begin(), stored.end(), key,
+                                        [](const auto& s, const std::string& k) { return s.key < k; });
+    if (found == stored.end() || found->key != key || !usable(*found)) continue;
+    taken_.push_back(key);
+    runs_.push_back({inputs_of(found->problem), element_size(found->problem.elements_per_radius),
+                     std::log(*found->depth_over_radius)});
+    ++report_.foreign;
+  }
+  if (report_.foreign > 0) learn();
+}
+
+std::optional<TooManyFailures> Training::failures() const {
+  int failed = 0;
+  std::string counts;
+  for (const auto& [outcome, count] : report_.outcomes) {
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, outcome);
+    if (outcome != word(Outcome::stopped) && outcome != word(Outcome::passed_through)) failed += count;
+  }
+  if (design_runs_ < first_round || failed <= job_.training.failures_tolerated * design_runs_) return std::nullopt;
+  return TooManyFailures{fmt::format("of {} runs {}: more failed than the job tolerates ({:g} %)", design_runs_, counts,
+                                     100 * job_.training.failures_tolerated)};
+}
+
+}  // namespace percal

@@ -1,0 +1,71 @@
+// The runs behind one emulator: a space-filling design first, then runs where they make the answer surer. docs/theory/emulator.md
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/calibrate/job.hpp"
+#include "percal/calibrate/limits.hpp"
+#include "percal/calibrate/result.hpp"
+#include "percal/campaign/campaign.hpp"
+
+namespace percal {
+
+// More of the runs failed than the job tolerates. A numerical outcome, with the counts in words.
+struct TooManyFailures {
+  std::string why;
+};
+
+// One design for all readings with one setting of the solver. Runs of other jobs that the store has for this setting are taken in
+// once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
+class Training {
+ public:
+  Training(const CalibrationJob& job, std::vector<int> readings, Store* store, Campaign& campaign,
+           const CalibrationLimits& limits);
+
+  // Sobol points over the parameters' box and the job's shots; once there is an emulator, those alone whose depth is anywhere near
+  // the measured one.
+  void fill_space();
+
+  // One more batch. `targets`: depths that have to be known, by shot and material numbers; `weights`: 1/(variance of their data).
+  struct Target {
+    int shot = 0;
+    SphereInputs at{};
+    double weight = 1;
+  };
+  // The candidates are runs at the targets' own inputs, on the coarse and the fine mesh.
+  struct Place {
+    int shot = 0;
+    Problem coarse, fine;
+  };
+  void add_round(const std::vector<Target>& targets, const std::vector<Place>& places);
+
+  bool full() const { return design_runs_ >= job_.training.most; }
+  const Emulator& emulator() const { return *emulator_; }
+  bool has_emulator() const { return emulator_.has_value(); }
+  EmulatorReport& report() { return report_; }
+  // The runs' own measure of failing: not empty where more failed than is tolerated.
+  std::optional<TooManyFailures> failures() const;
+
+ private:
+  void take_foreign_runs();
+  void run(const std::vector<Problem>& problems);
+  void learn();
+  std::vector<Problem> space_filling_batch(int count);
+
+  const CalibrationJob& job_;
+  CalibrationReading reading_;  // the setting: convention and held numbers do not matter here
+  std::vector<int> readings_;
+  Store* store_;
+  Campaign& campaign_;
+  const CalibrationLimits& limits_;
+  std::vector<TrainingRun> runs_;
+  std::vector<std::string> taken_;  // keys, so that no run counts twice
+  std::optional<Emulator> emulator_;
+  EmulatorReport report_;
+  int design_runs_ = 0, next_point_ = 0, searched_at_ = 0, rounds_ = 0;
+  double cpu_seconds_ = 0;
+};
+
+}  // namespace percal

@@ -1,0 +1,64 @@
+#include "percal/campaign/sphere_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "percal/base/error.hpp"
+#include "percal/impact/kernel.hpp"
+#include "percal/observe/result_json.hpp"
+
+namespace percal {
+namespace {
+
+bool is_for_an_emulator(const Problem& problem) {
+  return problem.geometry == Geometry::axisymmetric && std::holds_alternative<StrainErosion>(problem.erosion);
+}
+
+std::optional<double> depth_of(const StoredEvaluation& evaluation, const Store& store) {
+  if (evaluation.outcome != word(Outcome::stopped)) return std::nullopt;
+  try {
+    return from_payload(evaluation.payload).result.depth;
+  } catch (const std::invalid_argument& error) {
+    throw IoFailure(fmt::format("{}: {}; remove the file or name another store", store.path(), error.what()));
+  }
+}
+
+}  // namespace
+
+std::vector<StoredSphere> stored_spheres(const Store& store) {
+  std::vector<StoredSphere> spheres;
+  for (const auto& [key, evaluation] : store.with_prefix(sphere_key_prefix(instruction_level()))) {
+    const auto problem = problem_of_key(key, instruction_level());
+    if (!problem || !is_for_an_emulator(*problem)) continue;
+    spheres.push_back({*problem, key, evaluation.outcome, depth_of(evaluation, store), evaluation.cpu_seconds});
+  }
+  return spheres;
+}
+
+SphereInputs inputs_of(const Problem& p) {
+  const auto& erosion = std::get<StrainErosion>(p.erosion);
+  const double strain = strain_at(stretch_at(erosion.limit, erosion.measure), StrainMeasure::engineering);
+  const double pi4 = p.pi4 * p.speed_factor * p.speed_factor;
+  return {std::log(pi4), -std::log(p.density_ratio), p.alpha, strain, std::log(p.depth), std::log(p.bulk_ratio)};
+}
+
+// The key of the problem with everything that an emulator knows of set to 1.
+std::string setting_of(const Problem& problem) {
+  Problem plain = problem;
+  plain.pi4 = plain.density_ratio = plain.alpha = plain.depth = plain.bulk_ratio = plain.speed_factor = 1;
+  plain.erosion = StrainErosion{1};
+  const bool usual = plain.graded_columns == usual_graded_columns(plain.fine_width, plain.elements_per_radius);
+  if (usual) plain.graded_columns = 0;
+  plain.elements_per_radius = 1;
+  return evaluation_key(plain, "any");
+}
+
+TrainingRun training_run(const StoredSphere& sphere) {
+  return {.at = inputs_of(sphere.problem),
+          .h = 1.0 / sphere.problem.elements_per_radius,
+          .log_depth = std::log(sphere.depth_over_radius.value())};
+}
+
+}  // namespace percal

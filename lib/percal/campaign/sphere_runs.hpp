@@ -1,0 +1,36 @@
+// Finished runs of rigid spheres as an emulator takes them, whatever system they came from.     docs/theory/emulator.md
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/invert/emulator.hpp"
+#include "percal/problem/problem.hpp"
+#include "percal/store/store.hpp"
+
+namespace percal {
+
+struct StoredSphere {
+  Problem problem;
+  std::string key;
+  std::string outcome;                      // word(Outcome)
+  std::optional<double> depth_over_radius;  // where it stopped
+  double cpu_seconds = 0;
+};
+
+// Every evaluation of the store that this solver version made at this machine's instruction level of a rigid sphere in one layer
+// that erodes by strain, axisymmetric and without relaxation; in the order of the keys. Throws IoFailure.
+std::vector<StoredSphere> stored_spheres(const Store& store);
+
+// Of a problem with StrainErosion. The strain is the engineering one, whatever the problem's measure: a limit is a critical stretch. A
+// replicate's speed f v is the speed: pi4 f^2.
+SphereInputs inputs_of(const Problem& problem);
+
+// Whatever else decides the depth, but the size of the elements: two problems with the same text belong to one emulator. Contact,
+// wall and bottom, viscosities, arithmetic, the solver's version, ... Of a problem with StrainErosion; its measure is not in it.
+std::string setting_of(const Problem& problem);
+
+// Of a sphere that stopped.
+TrainingRun training_run(const StoredSphere& sphere);
+
+}  // namespace percal

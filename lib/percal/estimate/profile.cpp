@@ -1,0 +1,155 @@
+#include "percal/estimate/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "percal/math/distributions.hpp"
+
+namespace percal {
+namespace {
+
+using Eigen::VectorXd;
+using Point = Surroundings::Point;
+
+constexpr double first_step = 0.5;    // of the distance at which the linearised profile meets the threshold
+constexpr double wanted_gain = 0.25;  // of sqrt(threshold), from one step to the next
+constexpr double longest_step = 1 / 12.0, shortest_step = 1e-6;  // of the box
+constexpr double root_tolerance = 1e-6;                          // of sqrt(threshold)
+
+// The rise is nearly quadratic, so its root is nearly linear: that is what steps and interpolation use.
+double height(const Point& point) { return std::sqrt(std::max(point.rise, 0.0)); }
+
+// One walk's way of fitting and of closing in on the threshold.
+struct Walker {
+  Surroundings& surroundings;
+  const Path& path;
+  std::vector<int> held;
+  double goal;  // sqrt(threshold)
+
+  double place(const Point& point) const { return point.searched[path.parameter]; }
+
+  // With the other parameters where a line through two neighbours has them.
+  Point at(double x, const Point& near, const Point& further) const {
+    VectorXd start = near.searched;
+    if (place(near) != place(further))
+      start += (x - place(near)) / (place(near) - place(further)) * (near.searched - further.searched);
+    for (const int k : path.also_held) start[k] = near.searched[k];
+    start[path.parameter] = x;
+    return surroundings.fit_others(start, held);
+  }
+
+  // Between a point below the goal and one above it: secants, with the stale end's excess halved (Illinois).
+  Point root(Point below, Point above, std::vector<Point>& visited) const {
+    double low = height(below) - goal, high = height(above) - goal;
+    const double box = std::abs(place(above) - place(below));
+    for (int step = 0; step < 60 && std::abs(place(above) - place(below)) > 1e-10 * box; ++step) {
+      const double share = std::isfinite(high) ? -low / (high - low) : 0.5;
+      const double x = place(below) + share * (place(above) - place(below));
+      const Point middle = at(x, below, std::isfinite(high) ? above : below);
+      visited.push_back(middle);
+      const double excess = height(middle) - goal;
+      if (std::abs(excess) <= root_tolerance * goal) return middle;
+      if (excess < 0) {
+        below = middle;
+        low = excess;
+        high /= 2;
+      } else {
+        above = middle;
+        high = excess;
+        low /= 2;
+      }
+    }
+    return below;
+  }
+};
+
+// Ends that only another parameter's bound made: the data did not stop there.
+bool at_anothers_bound(Surroundings& surroundings, const Point& end, int parameter) {
+  const CalibrationProblem& problem = surroundings.problem();
+  for (int k = 0; k < end.searched.size(); ++k)
+    if (k != parameter && !surroundings.minimum().at_bound[k] && at_bound(problem, end.searched, k) != AtBound::no)
+      return true;
+  return false;
+}
+
+bool too_wide(const Interval& interval, bool logarithmic) {
+  return logarithmic && interval.high > hopeless_factor * interval.low;
+}
+
+}  // namespace
+
+Walk walk(Surroundings& surroundings, const Point& start, const Path& path) {
+  std::vector<int> held = path.also_held;
+  held.push_back(path.parameter);
+  const Walker walker{surroundings, path, held, std::sqrt(path.threshold)};
+  const CalibrationProblem& problem = surroundings.problem();
+  const double low = lower_bounds(problem)[path.parameter], high = upper_bounds(problem)[path.parameter];
+  const double bound = path.direction < 0 ? low : high, box = high - low;
+  const auto allowed = [box](double step) { return std::clamp(step, shortest_step * box, longest_step * box); };
+
+  Walk found{start, true, {}};
+  Point last = start, before = start;
+  double step = allowed(first_step * walker.goal * path.deviation);
+  while (walker.place(last) != bound) {
+    const double x = walker.place(last) + path.direction * step;
+    const Point next = walker.at(path.direction * x < path.direction * bound ? x : bound, last, before);
+    found.points.push_back(next);
+    if (height(next) > walker.goal) {
+      found.end = walker.root(last, next, found.points);
+      found.at_bound = false;
+      return found;
+    }
+    const double gain = std::max(height(next) - height(last), 1e-9 * walker.goal);
+    step = allowed(step * std::clamp(wanted_gain * walker.goal / gain, 0.5, 2.0));
+    before = std::exchange(last, next);
+  }
+  found.end = last;
+  return found;
+}
+
+Profile trace_profile(Surroundings& surroundings, int parameter, double threshold) {
+  const Minimum& minimum = surroundings.minimum();
+  const FreeParameter& free = surroundings.problem().parameters[parameter];
+  const Point bottom{minimum.searched, 0};
+  const double deviation = std::sqrt(minimum.covariance(parameter, parameter));
+  Profile profile;
+  profile.down = walk(surroundings, bottom, {parameter, -1, threshold, deviation, {}});
+  profile.up = walk(surroundings, bottom, {parameter, 1, threshold, deviation, {}});
+  const Walk &down = profile.down, &up = profile.up;
+
+  ProfileInterval& found = profile.interval;
+  found.parameter = parameter;
+  found.interval = {.low = down.at_bound ? free.low : free.natural(down.end.searched[parameter]),
+                    .high = up.at_bound ? free.high : free.natural(up.end.searched[parameter]),
+                    .low_open = down.at_bound || at_anothers_bound(surroundings, down.end, parameter),
+                    .high_open = up.at_bound || at_anothers_bound(surroundings, up.end, parameter)};
+  found.identifiable = !(down.at_bound && up.at_bound) && !too_wide(found.interval, free.logarithmic);
+  found.profile.push_back({bottom.searched[parameter], 0, bottom.searched});
+  for (const Walk* side : {&down, &up})
+    for (const Point& point : side->points)
+      if (std::isfinite(point.rise)) found.profile.push_back({point.searched[parameter], point.rise, point.searched});
+  std::ranges::sort(found.profile, {}, &ProfilePoint::searched);
+  return profile;
+}
+
+double effective_degrees_of_freedom(const CalibrationProblem& problem, const Minimum& minimum, const VectorXd& weight) {
+  return Surroundings(problem, minimum).degrees_of_freedom(weight);
+}
+
+std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem, const Minimum& minimum, double level,
+                                               const SearchOptions&) {
+  Surroundings surroundings(problem, minimum);
+  const auto p = static_cast<int>(problem.parameters.size());
+  std::vector<ProfileInterval> intervals;
+  for (int k = 0; k < p; ++k) {
+    const double freedom = surroundings.degrees_of_freedom(VectorXd::Unit(p, k));
+    const double t = student_quantile((1 + level) / 2, freedom);
+    intervals.push_back(trace_profile(surroundings, k, t * t).interval);
+    intervals.back().level = level;
+    intervals.back().degrees_of_freedom = freedom;
+  }
+  return intervals;
+}
+
+}  // namespace percal

@@ -1,0 +1,160 @@
+#include "percal/invert/depth_covariance.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "percal/invert/depth_features.hpp"
+#include "percal/math/correlation.hpp"
+
+namespace percal {
+namespace {
+
+using Correlation = Matern52;  // docs/theory/emulator.md says why
+
+// Below this share of its size an input's range is rounding.
+constexpr double smallest_range = 1e-9;
+
+double square(double x) { return x * x; }
+
+// sum_ab W_ab (u_aj - u_bj)^2 for every column j of u; W symmetric.
+Eigen::VectorXd weighted_squared_differences(const Eigen::MatrixXd& u, const Eigen::MatrixXd& w) {
+  const Eigen::VectorXd row_sums = w.rowwise().sum();
+  const Eigen::VectorXd squares = u.cwiseAbs2().transpose() * row_sums;
+  const Eigen::VectorXd products = u.cwiseProduct(w * u).colwise().sum().transpose();
+  return 2 * (squares - products);
+}
+
+}  // namespace
+
+Eigen::VectorXd InputScale::scaled(const SphereInputs& at) const {
+  return (depth_features(at) - centre).cwiseQuotient(half_range);
+}
+
+Eigen::VectorXd InputScale::unscaled_gradient(const SphereInputs& at, const Eigen::VectorXd& by_scaled) const {
+  return by_inputs(at, by_scaled.cwiseQuotient(half_range));
+}
+
+InputScale scale_of(const std::vector<TrainingRun>& runs) {
+  Eigen::VectorXd low = depth_features(runs.front().at), high = low;
+  for (const TrainingRun& run : runs) {
+    const Eigen::VectorXd features = depth_features(run.at);
+    low = low.cwiseMin(features);
+    high = high.cwiseMax(features);
+  }
+  InputScale scale{0.5 * (low + high), 0.5 * (high - low)};
+  for (int j = 0; j < sphere_inputs; ++j)
+    if (!(scale.half_range[j] > smallest_range * (1 + std::abs(scale.centre[j])))) scale.half_range[j] = 1;
+  return scale;
+}
+
+CovarianceParameters covariance_parameters(const EmulatorSettings& settings, const InputScale& scale) {
+  CovarianceParameters parameters;
+  parameters.amplitude = settings.amplitude;
+  parameters.mesh_amplitude = settings.mesh_amplitude;
+  parameters.mesh_order = settings.mesh_order;
+  parameters.noise = settings.noise;
+  parameters.noise_order = settings.noise_order;
+  for (int j = 0; j < sphere_inputs; ++j) {
+    parameters.length[j] = settings.length[j] / scale.half_range[j];
+    parameters.mesh_length[j] = settings.mesh_length[j] / scale.half_range[j];
+  }
+  return parameters;
+}
+
+DepthCovariance::DepthCovariance(CovarianceParameters parameters, double plane_deviation)
+    : parameters_(std::move(parameters)), plane_variance_(square(plane_deviation)) {}
+
+Eigen::VectorXd DepthCovariance::mesh_factors(const Eigen::VectorXd& h) const {
+  if (!has_mesh()) return Eigen::VectorXd::Zero(h.size());
+  return h.array().pow(parameters_.mesh_order);
+}
+
+double DepthCovariance::noise(double h) const { return parameters_.noise * std::pow(h, parameters_.noise_order); }
+
+// docs/theory/emulator.md (4)
+Eigen::MatrixXd DepthCovariance::between(const MeshPoints& a, const MeshPoints& b) const {
+  const CovarianceParameters& p = parameters_;
+  const Eigen::VectorXd mesh_a = mesh_factors(a.h), mesh_b = mesh_factors(b.h);
+  const Eigen::ArrayXXd plane = 1 + (a.inputs * b.inputs.transpose() + mesh_a * mesh_b.transpose()).array();
+  Eigen::ArrayXXd covariance =
+      plane_variance_ * plane +
+      square(p.amplitude) * Correlation::value(scaled_squared_distances(a.inputs, b.inputs, p.length));
+  if (has_mesh())
+    covariance += square(p.mesh_amplitude) * (mesh_a * mesh_b.transpose()).array() *
+                  Correlation::value(scaled_squared_distances(a.inputs, b.inputs, p.mesh_length));
+  return covariance;
+}
+
+Eigen::VectorXd DepthCovariance::variances(const MeshPoints& points) const {
+  const Eigen::ArrayXd mesh_squares = mesh_factors(points.h).array().square();
+  const Eigen::ArrayXd plane = 1 + points.inputs.rowwise().squaredNorm().array() + mesh_squares;
+  return plane_variance_ * plane + square(parameters_.amplitude) + square(parameters_.mesh_amplitude) * mesh_squares;
+}
+
+Eigen::MatrixXd DepthCovariance::of_runs(const MeshPoints& runs) const {
+  Eigen::MatrixXd covariance = between(runs, runs);
+  for (Eigen::Index i = 0; i < runs.h.size(); ++i) covariance(i, i) += square(noise(runs.h[i]));
+  return covariance;
+}
+
+DepthCovariance::WeightedSum DepthCovariance::weighted_sum(const Eigen::VectorXd& at, double h, const MeshPoints& runs,
+                                                           const Eigen::VectorXd& weights) const {
+  const CovarianceParameters& p = parameters_;
+  const Eigen::VectorXd mesh_weights = mesh_factors(runs.h).cwiseProduct(weights);
+  const double mesh_here = has_mesh() ? std::pow(h, p.mesh_order) : 0;
+  const Eigen::VectorXd plane = runs.inputs.transpose() * weights;  // sum of weights times inputs
+
+  WeightedSum sum;
+  sum.value = plane_variance_ * (weights.sum() + at.dot(plane) + mesh_here * mesh_weights.sum());
+  sum.gradient = plane_variance_ * plane;
+
+  // factor sum_i w_i c(s_i), with ds_i/dx_j = 2 (x_j - x_ij)/length_j^2.
+  const auto add_smooth = [&](double factor, const Eigen::VectorXd& w, const Eigen::VectorXd& length) {
+    Eigen::ArrayXd s = Eigen::ArrayXd::Zero(runs.inputs.rows());
+    for (int j = 0; j < sphere_inputs; ++j) s += ((runs.inputs.col(j).array() - at[j]) / length[j]).square();
+    sum.value += factor * w.dot(Correlation::value(s).matrix());
+    const Eigen::VectorXd slopes = w.array() * Correlation::slope(s);
+    const Eigen::VectorXd towards = slopes.sum() * at - runs.inputs.transpose() * slopes;
+    sum.gradient += 2 * factor * towards.cwiseQuotient(length.cwiseAbs2());
+  };
+  add_smooth(square(p.amplitude), weights, p.length);
+  if (mesh_here > 0) add_smooth(square(p.mesh_amplitude) * mesh_here, mesh_weights, p.mesh_length);
+  return sum;
+}
+
+// docs/theory/emulator.md (8)
+CovarianceParameters DepthCovariance::contracted_gradient(const MeshPoints& runs, const Eigen::MatrixXd& g) const {
+  const CovarianceParameters& p = parameters_;
+  CovarianceParameters gradient;
+  // Of sum_ab w_ab factor c(s_ab), w symmetric: by ln length.
+  const auto by_lengths = [&](const Eigen::MatrixXd& w, const Eigen::ArrayXXd& s, const Eigen::VectorXd& length) {
+    const Eigen::MatrixXd by_distance = w.array() * Correlation::slope(s);
+    return Eigen::VectorXd(-2 *
+                           weighted_squared_differences(runs.inputs, by_distance).cwiseQuotient(length.cwiseAbs2()));
+  };
+
+  const Eigen::ArrayXXd s = scaled_squared_distances(runs.inputs, runs.inputs, p.length);
+  const Eigen::MatrixXd smooth = square(p.amplitude) * g;
+  gradient.amplitude = 2 * (smooth.array() * Correlation::value(s)).sum();
+  gradient.length = by_lengths(smooth, s, p.length);
+
+  const Eigen::ArrayXd noise_terms = g.diagonal().array() * (p.noise * runs.h.array().pow(p.noise_order)).square();
+  gradient.noise = 2 * noise_terms.sum();
+  gradient.noise_order = 2 * (noise_terms * runs.h.array().log()).sum();
+
+  gradient.mesh_amplitude = gradient.mesh_order = 0;
+  gradient.mesh_length.setZero();
+  if (!has_mesh()) return gradient;
+  const Eigen::VectorXd factors = mesh_factors(runs.h);
+  const Eigen::ArrayXXd mesh_s = scaled_squared_distances(runs.inputs, runs.inputs, p.mesh_length);
+  const Eigen::MatrixXd with_factors = g.array() * (factors * factors.transpose()).array();
+  const Eigen::MatrixXd mesh = square(p.mesh_amplitude) * with_factors;
+  const Eigen::MatrixXd mesh_terms = mesh.array() * Correlation::value(mesh_s);
+  gradient.mesh_amplitude = 2 * mesh_terms.sum();
+  gradient.mesh_length = by_lengths(mesh, mesh_s, p.mesh_length);
+  const Eigen::VectorXd row_sums = (mesh_terms + plane_variance_ * with_factors).rowwise().sum();
+  gradient.mesh_order = 2 * row_sums.dot(runs.h.array().log().matrix());
+  return gradient;
+}
+
+}  // namespace percal

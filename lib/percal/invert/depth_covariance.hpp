@@ -1,0 +1,75 @@
+// The covariance of ln depth at points of the input space and mesh sizes: a plane with slopes that nobody knows beforehand, a smooth
+// part, and a part that the mesh adds.                                                         docs/theory/emulator.md
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "percal/invert/emulator.hpp"
+
+namespace percal {
+
+// The features (depth_features.hpp) are shifted and scaled so that those of the runs lie in [-1, 1]. One that never varies keeps its
+// own unit. "Inputs" below are these scaled features.
+struct InputScale {
+  Eigen::VectorXd centre, half_range;  // sphere_inputs
+
+  Eigen::VectorXd scaled(const SphereInputs& at) const;
+  // With respect to the inputs themselves.
+  Eigen::VectorXd unscaled_gradient(const SphereInputs& at, const Eigen::VectorXd& by_scaled) const;
+};
+InputScale scale_of(const std::vector<TrainingRun>& runs);
+
+// Points with the meshes they are seen on: scaled inputs (points x sphere_inputs), and h / 0.1.
+struct MeshPoints {
+  Eigen::MatrixXd inputs;
+  Eigen::VectorXd h;
+};
+
+inline constexpr double reference_h = 0.1;
+
+// The hyperparameters, for scaled inputs. mesh_amplitude = 0: no mesh part.
+struct CovarianceParameters {
+  double amplitude = 1;
+  Eigen::VectorXd length = Eigen::VectorXd::Ones(sphere_inputs);
+  double mesh_amplitude = 0;
+  Eigen::VectorXd mesh_length = Eigen::VectorXd::Ones(sphere_inputs);
+  double mesh_order = 1;
+  double noise = 0.015;
+  double noise_order = 0;
+};
+CovarianceParameters covariance_parameters(const EmulatorSettings& settings, const InputScale& scale);
+
+class DepthCovariance {
+ public:
+  // `plane_deviation`: prior standard deviation of the plane's constant and slopes, large beside what the runs show.
+  DepthCovariance(CovarianceParameters parameters, double plane_deviation);
+
+  // Of the smooth depth at every point of `a` with every one of `b`.
+  Eigen::MatrixXd between(const MeshPoints& a, const MeshPoints& b) const;
+  // Of the smooth depth of each point with itself.
+  Eigen::VectorXd variances(const MeshPoints& points) const;
+  // Of runs: the smooth depth, and each run's own noise.
+  Eigen::MatrixXd of_runs(const MeshPoints& runs) const;
+  double noise(double h) const;  // standard deviation; h over 0.1
+
+  // sum_i weights_i cov(at, run_i), and its derivative with respect to the scaled inputs of `at`.
+  struct WeightedSum {
+    double value = 0;
+    Eigen::VectorXd gradient;
+  };
+  WeightedSum weighted_sum(const Eigen::VectorXd& at, double h, const MeshPoints& runs,
+                           const Eigen::VectorXd& weights) const;
+
+  // Of sum_ab G_ab K_ab (K as of_runs says, G symmetric) with respect to the parameters. Amplitudes, lengths and noise stand for
+  // their logarithms.
+  CovarianceParameters contracted_gradient(const MeshPoints& runs, const Eigen::MatrixXd& g) const;
+
+ private:
+  bool has_mesh() const { return parameters_.mesh_amplitude > 0; }
+  Eigen::VectorXd mesh_factors(const Eigen::VectorXd& h) const;  // h^q; 0 where there is no mesh part
+
+  CovarianceParameters parameters_;
+  double plane_variance_;
+};
+
+}  // namespace percal

@@ -1,0 +1,34 @@
+#include "percal/text/job_table.hpp"
+
+#include "percal/units/words.hpp"
+
+namespace percal {
+
+CsvTable table_of(const TomlTable& block, const std::string& key) {
+  CsvTable table = read_csv(block.path(key));
+  return block.has("where") ? table.where(block.texts("where")) : table;
+}
+
+int column_index(const TomlTable& block, const std::string& key, const CsvTable& table) {
+  const std::string name = block.text(key);
+  const auto index = table.find(name);
+  if (!index) {
+    std::vector<std::string> headers;
+    for (const CsvColumn& column : table.columns) headers.push_back(column.header);
+    block.refuse(key, in_quotes(name), "a column of " + table.file + ": " + listed(headers));
+  }
+  return *index;
+}
+
+std::vector<double> column_of(const TomlTable& block, const std::string& key, const CsvTable& table,
+                              const Dimension& dimension, const Range& range) {
+  const int index = column_index(block, key, table);
+  auto values = table.numbers(index, dimension);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!contains(range, values[i]))
+      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index],
+                     words_of(range));
+  return values;
+}
+
+}  // namespace percal

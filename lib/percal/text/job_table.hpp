@@ -1,0 +1,21 @@
+// The CSV table that a block of a job names, and its columns.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/text/csv.hpp"
+#include "percal/text/toml.hpp"
+
+namespace percal {
+
+// The table of the key, cut down by the conditions of the block's `where`.
+CsvTable table_of(const TomlTable& block, const std::string& key = "file");
+
+// The number of the column that the key names. Throws BadInput with the key's place.
+int column_index(const TomlTable& block, const std::string& key, const CsvTable& table);
+
+// The column that the key names, as SI numbers within a range.
+std::vector<double> column_of(const TomlTable& block, const std::string& key, const CsvTable& table,
+                              const Dimension& dimension, const Range& range = positive());
+
+}  // namespace percal

@@ -1,0 +1,144 @@
+// A calibration killed at any moment and started again with the same command ends with the result of an uninterrupted one, bit for
+// bit, at any number of threads.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "percal/store/store.hpp"
+#include "support/program.hpp"
+
+namespace percal {
+namespace {
+
+using nlohmann::json;
+using test::Ended;
+namespace fs = std::filesystem;
+
+constexpr const char* gel = R"(title = "Steel into a gel"
+bootstrap = 20
+
+[parameters.mu]
+kind = "modulus"
+low = "80 kPa"
+high = "600 kPa"
+
+[parameters.erosion_strain]
+kind = "erosion strain"
+low = 0.4
+high = 1.2
+
+[materials.gel]
+density = "1010 kg/m3"
+mu = "mu"
+alpha = 8
+erosion_strain = "erosion_strain"
+
+[[shots]]
+name = "balls"
+material = "gel"
+file = "shots.csv"
+particle_density = "7800 kg/m3"
+diameter = "3.18 mm"
+speed_column = "speed_m_s"
+depth_column = "depth_cm"
+layer_depth = "12 cm"
+layer_width_radii = 5
+
+[training]
+coarse = 5
+fine = 6
+verify = 7
+initial = 70
+batch = 12
+most = 94
+accuracy = 0.01
+)";
+constexpr const char* shots = "speed_m_s,depth_cm\n50,2.1\n60,2.7\n70,3.1\n80,3.8\n90,4.2\n";
+
+// What depends on the run and not on the problem.
+json without_cost(json result) {
+  result.erase("cost");
+  for (json& emulator : result["emulators"]) {
+    emulator.erase("runs");
+    emulator.erase("reused");
+    for (json& round : emulator["rounds"]) round.erase("cpu_s");
+  }
+  return result;
+}
+
+class SlowInterruptedCalibration : public test::Program {
+ protected:
+  SlowInterruptedCalibration() {
+    write("gel.toml", gel);
+    write("shots.csv", shots);
+  }
+  std::vector<std::string> command(const std::string& name, int threads) const {
+    return {"calibrate", "gel.toml", "--store",   name + ".store",        "--out",
+            name,        "--quiet",  "--threads", std::to_string(threads)};
+  }
+  json found(const std::string& name) const { return result(name + "/result.json"); }
+  long rows(const std::string& name) const {
+    return fs::exists(path(name + ".store")) ? Store(path(name + ".store")).size() : 0;
+  }
+};
+
+TEST_F(SlowInterruptedCalibration, EndsAsIfNothingHadHappened) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Ended whole = run(command("whole", 2));
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const auto took = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
+  const json expected = without_cost(found("whole"));
+  const long all = rows("whole");
+
+  std::mt19937 random(20090401);
+  std::uniform_int_distribution<long> moment(1000, took.count() / 3);
+  long stored = 0;
+  int kills = 0;
+  Ended ended{-1, "", ""};
+  for (; kills < 10 && ended.code == -1; ++kills) {
+    const pid_t child = start(command("killed", 1 + kills % 2));
+    std::this_thread::sleep_for(std::chrono::microseconds(moment(random)));
+    kill(child, SIGKILL);
+    ended = wait_for(child);
+    EXPECT_GE(rows("killed"), stored) << "a finished run was lost";
+    stored = rows("killed");
+  }
+  EXPECT_GE(kills, 5) << "it ended before it could be killed";
+  ended = run(command("killed", 2));
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(without_cost(found("killed")), expected);
+  EXPECT_EQ(rows("killed"), all) << "no run beside those of the uninterrupted one";
+  EXPECT_EQ(found("killed")["cost"]["runs"].get<long>() + stored, all) << "something finished was run again";
+}
+
+TEST_F(SlowInterruptedCalibration, OneThreadOrTwoGiveTheSameBits) {
+  ASSERT_EQ(run(command("one", 1)).code, 0);
+  ASSERT_EQ(run(command("two", 2)).code, 0);
+  EXPECT_EQ(without_cost(found("one")), without_cost(found("two")));
+}
+
+TEST_F(SlowInterruptedCalibration, ASignalLeavesNothingHalfWrittenAndSaysHowToGoOn) {
+  const pid_t child = start(command("signal", 2));
+  for (int k = 0; k < 3000 && rows("signal") < 5; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  kill(child, SIGTERM);
+  const Ended ended = wait_for(child);
+  EXPECT_EQ(ended.code, 130);
+  EXPECT_THAT(ended.err, testing::HasSubstr("the same command goes on from there"));
+  EXPECT_FALSE(fs::exists(path("signal/result.json")));
+}
+
+TEST_F(SlowInterruptedCalibration, ABudgetIsKeptAndWhatMoreWouldBuyIsSaid) {
+  auto budgeted = command("budget", 2);
+  budgeted.insert(budgeted.end(), {"--budget", "1s"});
+  const Ended ended = run(budgeted);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const json cost = found("budget")["cost"];
+  EXPECT_EQ(cost["budget_s"], 1);
+  EXPECT_FALSE(cost["advice"].get<std::string>().empty());
+}
+
+}  // namespace
+}  // namespace percal

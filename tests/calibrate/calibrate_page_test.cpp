@@ -1,0 +1,106 @@
+// docs/formats/calibrate.md against the reader and the result: every key that is asked for or written stands on the page.
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "calibrate/small_job.hpp"
+#include "percal/calibrate/result_json.hpp"
+
+namespace percal {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using Keys = std::map<std::string, std::set<std::string>>;  // by the heading of their block
+
+class CalibratePage : public calibrate_test::SmallJob {
+ protected:
+  static std::string page() { return text_of(test::docs + "formats/calibrate.md"); }
+
+  static Keys described() {
+    Keys keys;
+    std::istringstream lines(page());
+    std::string heading;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("# Results")) break;
+      if (line.starts_with("## ")) heading = line.substr(3);
+      if (line.starts_with("| `")) keys[heading].insert(line.substr(3, line.find('`', 3) - 3));
+    }
+    return keys;
+  }
+
+  // The keys that the reader lists as accepted where it finds one that it does not know below this line of a job.
+  std::set<std::string> accepted(std::string text, std::size_t end_of_header) const {
+    text.insert(end_of_header, "\nzzzzzzzz = 1");
+    std::set<std::string> keys;
+    try {
+      read_calibration_job(write("page.toml", text));
+    } catch (const BadInput& error) {
+      const std::string message = error.what(), before = "accepted: ";
+      EXPECT_THAT(message, HasSubstr("zzzzzzzz"));
+      std::istringstream words(message.substr(message.find(before) + before.size()));
+      for (std::string word; std::getline(words >> std::ws, word, ',');) keys.insert(word);
+    }
+    return keys;
+  }
+
+  // "[parameters.mu]" is described as [parameters.NAME].
+  static std::string heading_of(const std::string& header) {
+    for (const char* named : {"parameters", "materials", "scatter"})
+      if (header.starts_with("[" + std::string(named) + ".")) return "[" + std::string(named) + ".NAME]";
+    return header;
+  }
+
+  void collect(const std::string& text, Keys& keys) const {
+    keys["Top level"].merge(accepted("\n" + text, 0));
+    for (std::size_t at = text.find("\n["); at != std::string::npos; at = text.find("\n[", at + 1)) {
+      const std::size_t end = text.find_first_of(" \n", at + 1);
+      keys[heading_of(text.substr(at + 1, end - at - 1))].merge(accepted(text, text.find('\n', at + 1)));
+    }
+  }
+};
+
+TEST_F(CalibratePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
+  Keys keys;
+  collect(calibrate_test::small_job, keys);
+  // Read only where they are there, or where others are not.
+  for (const char* key :
+       {"particle", "particle_density", "radius", "radius_column", "diameter", "speed", "depth_error_column"})
+    keys["[[shots]]"].insert(key);
+  keys["[[ridge_points]]"].insert("where");
+  EXPECT_EQ(keys, described());
+}
+
+void collect_keys(const json& value, std::set<std::string>& keys) {
+  if (value.is_object())
+    for (const auto& [key, inner] : value.items()) {
+      keys.insert(key);
+      collect_keys(inner, keys);
+    }
+  if (value.is_array())
+    for (const json& inner : value) collect_keys(inner, keys);
+}
+
+TEST_F(CalibratePage, NamesEveryKeyOfAResult) {
+  const auto job = read_job();
+  std::set<std::string> keys;
+  collect_keys(calibration_to_json(job, calibrate_test::made_up_result(job)), keys);
+  EXPECT_GT(keys.size(), 100u);
+  const std::string all = page(), results = all.substr(all.find("# Results"));
+  for (const auto& key : keys) EXPECT_THAT(results, HasSubstr("`" + key + "`"));
+}
+
+TEST_F(CalibratePage, ReadsTheBlocksThatMissEachOther) {
+  // The keys above that the small job does not use: a set with one ball, its size and its speed in the job.
+  const auto job = read_job(
+      {{"particle_column = \"ball\"\nparticle_density_column = \"density_kg_m3\"\ndiameter_column = "
+        "\"diameter_mm\"\nspeed_column = \"speed_m_s\"",
+        "particle = \"bead\"\nparticle_density = \"2500 kg/m3\"\nradius = \"1 mm\"\nspeed = \"30 m/s\""},
+       {"depth_error = \"5 %\"\ndepth_error_where = [\"ball=steel\"]", "depth_error_column = \"diameter_mm\""}});
+  EXPECT_EQ(job.shots[0].label, "bead 2 mm at 30 m/s into soft");
+  EXPECT_DOUBLE_EQ(job.shots[0].density, 2500);
+  EXPECT_DOUBLE_EQ(job.shots[0].depth_error, 3e-3);
+}
+
+}  // namespace
+}  // namespace percal

@@ -1,0 +1,74 @@
+// A small job whose depths follow a smooth law that a test knows, and an emulator that has learnt it.
+#pragma once
+#include <cmath>
+
+#include "percal/calibrate/job_fit.hpp"
+#include "percal/calibrate/shot_problem.hpp"
+#include "percal/math/draws.hpp"
+#include "percal/math/sobol.hpp"
+
+namespace percal::test {
+
+// ln(depth/radius): softer, faster, heavier goes deeper; harder to erode goes less deep.
+inline double smooth_law(const SphereInputs& at) {
+  return 2 + 0.35 * at[0] - 0.5 * at[1] - 0.05 * at[2] - 0.5 * std::log(at[3]) + 0.02 * at[0] * at[2];
+}
+
+inline Emulator emulator_of_the_smooth_law(int runs = 150, double noise = 0.002) {
+  const auto points = sobol_points(runs, sphere_inputs, 1);
+  Draws draws(1);
+  std::vector<TrainingRun> training;
+  for (int k = 0; k < runs; ++k) {
+    const auto u = points.row(k);
+    const SphereInputs at{std::log(3.0) + u[0] * std::log(60.0),
+                          std::log(1 / 17.0) + u[1] * std::log(15.0),
+                          4 + 8 * u[2],
+                          0.3 + 1.2 * u[3],
+                          std::log(50.0) + u[4] * std::log(3.0),
+                          std::log(50.0) + u[5] * std::log(40.0)};
+    training.push_back({at, 0.1, smooth_law(at) + noise * draws.normal()});
+  }
+  return Emulator(training, EmulatorOptions{});
+}
+
+inline CalibrationJob gel_job(int speeds = 8) {
+  CalibrationJob job;
+  job.file = job.text = "gel";
+  job.parameters = {
+      {ParameterKind::modulus, {.name = "mu", .unit = "Pa", .low = 50e3, .high = 900e3}},
+      {ParameterKind::exponent, {.name = "alpha", .unit = "", .low = 4, .high = 12, .logarithmic = false}},
+      {ParameterKind::erosion_strain, {.name = "erosion_strain", .unit = "", .low = 0.3, .high = 1.5}}};
+  job.materials = {{.name = "gel",
+                    .density = 1010,
+                    .mu = SharedParameter{0},
+                    .alpha = SharedParameter{1},
+                    .erosion_strain = SharedParameter{2},
+                    .rate_factor = {},
+                    .curve_modulus = {}}};
+  job.groups = {{"shots", true, 0}};
+  job.sets = {{"balls", false}};
+  for (int k = 0; k < speeds; ++k) {
+    MeasuredShot shot;
+    shot.label = "shot " + std::to_string(k);
+    shot.radius = 1.59e-3;
+    shot.density = k % 2 == 0 ? 7800 : 4540;
+    shot.speed = 45 + 8 * k;
+    shot.layer_depth = 0.12;
+    shot.layer_width = 5 * shot.radius;
+    shot.row = {{"material", k % 2 == 0 ? "steel" : "titanium"}};
+    job.shots.push_back(shot);
+  }
+  job.readings = {{.name = "free", .held = {}}};
+  return job;
+}
+
+// Depths that the law gives at these natural values, times exp(scatter z).
+inline void measure(CalibrationJob& job, const std::vector<double>& natural, double scatter, unsigned seed) {
+  Draws draws(seed);
+  for (auto& shot : job.shots) {
+    const auto at = shot_inputs(shot, material_at(job, job.readings[0], shot.material, natural)).at;
+    shot.depth = shot.radius * std::exp(smooth_law(at) + scatter * draws.normal());
+  }
+}
+
+}  // namespace percal::test

@@ -1,0 +1,145 @@
+#include "percal/campaign/sphere_runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "percal/base/error.hpp"
+#include "percal/campaign/campaign.hpp"
+#include "percal/impact/kernel.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace percal {
+namespace {
+
+// Stops after some milliseconds.
+Problem quick(double pi4 = 6) {
+  Problem p;
+  p.pi4 = pi4;
+  p.density_ratio = 2;
+  p.alpha = 8.5;
+  p.depth = 20;
+  p.elements_per_radius = 4;
+  p.graded_columns = usual_graded_columns(p.fine_width, p.elements_per_radius);
+  p.erosion = StrainErosion{0.7};
+  return p;
+}
+
+class SphereRunsTest : public testing::Test, protected test::TemporaryFolder {
+ protected:
+  Store store{path("percal.store")};
+};
+
+TEST_F(SphereRunsTest, FinishedRunsAreRowsToLearnFrom) {
+  Campaign campaign(&store, 1);
+  Problem replicate = quick();
+  replicate.speed_factor = 1.001;
+  const Evaluation first = campaign.evaluate(quick()), second = campaign.evaluate(replicate);
+  ASSERT_EQ(first.result.outcome, Outcome::stopped);
+  const auto spheres = stored_spheres(store);
+  ASSERT_EQ(spheres.size(), 2u);
+  EXPECT_EQ(spheres[0].key, evaluation_key(quick(), instruction_level()));
+  EXPECT_EQ(spheres[0].outcome, "stopped");
+  EXPECT_EQ(spheres[0].depth_over_radius, first.result.depth);
+  EXPECT_EQ(spheres[0].cpu_seconds, first.cpu_seconds);
+  EXPECT_EQ(spheres[1].depth_over_radius, second.result.depth);
+  const TrainingRun run = training_run(spheres[1]);
+  EXPECT_EQ(run.h, 0.25);
+  EXPECT_EQ(run.log_depth, std::log(second.result.depth));
+  EXPECT_NEAR(run.at[0], std::log(6 * 1.001 * 1.001), 1e-12);
+}
+
+TEST_F(SphereRunsTest, ASphereThatDidNotStopHasNoDepth) {
+  Campaign campaign(&store, 1);
+  Problem thin = quick(100);
+  thin.depth = 3;
+  thin.density_ratio = 16;
+  ASSERT_EQ(campaign.evaluate(thin).result.outcome, Outcome::passed_through);
+  ASSERT_EQ(stored_spheres(store).size(), 1u);
+  EXPECT_EQ(stored_spheres(store)[0].outcome, "passed through");
+  EXPECT_FALSE(stored_spheres(store)[0].depth_over_radius);
+}
+
+TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {
+  const auto put = [&](auto change, const std::string& level) {
+    Problem p = quick();
+    change(p);
+    store.put(evaluation_key(p, level), {"time up", "{}", 0});
+  };
+  put([](Problem& p) { p.erosion = NoErosion{}; }, instruction_level());
+  put([](Problem& p) { p.erosion = StressErosion{2}; }, instruction_level());
+  put([](Problem& p) { p.geometry = Geometry::plane_strain; }, instruction_level());
+  put([](Problem& p) { p.particle = ElasticSphere{100, 0.3}; }, instruction_level());
+  put([](Problem& p) { p.below = {LowerLayer{.depth = 9, .mu = 1}}; }, instruction_level());
+  put([](Problem&) {}, "another");
+  EXPECT_EQ(store.size(), 6);
+  EXPECT_TRUE(stored_spheres(store).empty());
+}
+
+TEST_F(SphereRunsTest, APayloadThatIsNoneIsAnIoFailure) {
+  store.put(evaluation_key(quick(), instruction_level()), {"stopped", "{}", 0});
+  EXPECT_THROW(stored_spheres(store), IoFailure);
+}
+
+TEST(InputsOf, AreThoseOfTheProblem) {
+  Problem p = quick(12);
+  p.bulk_ratio = 80;
+  const SphereInputs expected{std::log(12.0), -std::log(2.0), 8.5, 0.7, std::log(20.0), std::log(80.0)};
+  EXPECT_EQ(inputs_of(p), expected);
+}
+
+TEST(InputsOf, ALimitIsTheSameInEveryMeasure) {
+  Problem p = quick();
+  for (const auto measure : {StrainMeasure::true_strain, StrainMeasure::green_lagrange}) {
+    p.erosion = StrainErosion{strain_at(1.7, measure), measure};
+    EXPECT_NEAR(inputs_of(p)[3], 0.7, 1e-14);
+  }
+}
+
+// A replicate at f v is the impact at that speed: the depths are the same but for rounding.
+TEST(InputsOf, AReplicatesSpeedIsPartOfPi4) {
+  Problem replicate = quick(), other = quick();
+  replicate.speed_factor = 1.3;
+  other.pi4 = quick().pi4 * 1.3 * 1.3;
+  replicate.arithmetic = other.arithmetic = Arithmetic::double_precision;
+  replicate.erosion = other.erosion = StrainErosion{50};  // one that erodes doubles every rounding
+  replicate.density_ratio = other.density_ratio = 0.2;
+  EXPECT_NEAR(inputs_of(replicate)[0], inputs_of(other)[0], 1e-12);
+  Campaign campaign(nullptr, 1);
+  const double depth = campaign.evaluate(replicate).result.depth;
+  EXPECT_NEAR(campaign.evaluate(other).result.depth, depth, 1e-3 * depth);
+  EXPECT_GT(std::abs(campaign.evaluate(quick()).result.depth - depth), 0.01 * depth);
+}
+
+TEST(SettingOf, TwoSystemsOnTwoMeshesShareOne) {
+  Problem other = quick(40);
+  other.density_ratio = 7;
+  other.alpha = 3;
+  other.bulk_ratio = 500;
+  other.depth = 126;
+  other.erosion = StrainErosion{0.4, StrainMeasure::true_strain};
+  other.elements_per_radius = 16;
+  other.graded_columns = usual_graded_columns(other.fine_width, 16);
+  other.speed_factor = 0.999;
+  EXPECT_EQ(setting_of(other), setting_of(quick()));
+}
+
+TEST(SettingOf, WhatTheEmulatorDoesNotKnowTellsThemApart) {
+  const auto differs = [](auto change) {
+    Problem p = quick();
+    change(p);
+    return setting_of(p) != setting_of(quick());
+  };
+  EXPECT_TRUE(differs([](Problem& p) { p.contact_stiffness = 0.156; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.width = 10; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.bottom = Bottom::fixed; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.fine_width = 2; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.graded_columns += 1; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.linear_viscosity = 0; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.arithmetic = Arithmetic::double_precision; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.rates = 1; }));
+}
+
+}  // namespace
+}  // namespace percal
