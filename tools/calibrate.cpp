@@ -1,4 +1,4 @@
-// percal calibrate: curves and depths together, every reading in tables; result.json, plots and their points in one folder.
+// percal calibrate: curves and depths together, every reading in tables; result.json and plots in one folder.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -12,6 +12,7 @@
 #include "percal/calibrate/plots.hpp"
 #include "percal/calibrate/result_json.hpp"
 #include "percal/calibrate/result_text.hpp"
+#include "percal/impact/kernel.hpp"
 #include "percal/text/file.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/words.hpp"
@@ -46,7 +47,7 @@ void print(const TextTable& table) {
 
 void print(const CalibrationJob& job, const CalibrationResult& result, ShotTables shots) {
   for (const ReadingResult& reading : result.readings) {
-    fmt::print("=== {}\n\n", job.readings[reading.reading].name);
+    fmt::print("=== {}: {}\n\n", reading.reading + 1, job.readings[reading.reading].name);
     for (const TextTable& table : reading_tables(job, result, reading, shots)) print(table);
   }
   fmt::print("=== all\n\n");
@@ -95,11 +96,12 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   Campaign campaign(&store, common.threads);
   const bool talk = !common.quiet && !common.json;
   if (talk) fmt::print("{}\n\n", job.title);
-  const CalibrationResult result = calibrate(job, store, campaign, limits, [&](const std::string& sentence) {
+  CalibrationResult result = calibrate(job, store, campaign, limits, [&](const std::string& sentence) {
     if (!talk) return;
     fmt::print("{}\n", sentence);
     std::fflush(stdout);
   });
+  result.cost.instruction_level = instruction_level();
   const std::string json =
       calibration_to_json(job, result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   write_file(folder + "/result.json", json);

@@ -46,8 +46,9 @@ CLI::App* add_fit(CLI::App& app, FitArguments& fit, Common& common) {
       ->check(CLI::IsMember({"ogden", "ogden2", "ogden3", "neo-hooke", "mooney-rivlin"}));
   command->add_flag("--compare", fit.compare,
                     "all models side by side: AICc, R^2 of each test, prediction of tests left out, stability");
-  command->add_option("--residual", fit.residual,
-                      "relative (Guha 2009, Eq. 3-4), absolute, or error (over the points' standard errors)")
+  command
+      ->add_option("--residual", fit.residual,
+                   "relative (Guha 2009, Eq. 3-4), absolute, or error (over the points' standard errors)")
       ->check(CLI::IsMember({"relative", "absolute", "error"}));
   command->add_option("--weights", fit.weights,
                       "points: each counts the same; tests: each test does; NAME=NUMBER,...: tests by their shares");
@@ -70,7 +71,8 @@ CLI::App* add_fit(CLI::App& app, FitArguments& fit, Common& common) {
                                         "one factor between two curves of one solid: files LOW_RATE HIGH_RATE");
   command->add_option("--rate-column", fit.rate_column, "with --rate-factor and one file: the column of the rate")
       ->needs(rate_factor);
-  for (const char* other : {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap"})
+  for (const char* other :
+       {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap"})
     rate_factor->excludes(other);
   command->footer(
       "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
@@ -126,7 +128,8 @@ CLI::App* add_identify(CLI::App& app, IdentifyArguments& identify, Common& commo
 
 CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common) {
   auto* command = app.add_subcommand(
-      "calibrate", "curves and depths of shots together -> free parameters with intervals, ridges, predictions, advice");
+      "calibrate",
+      "curves and depths of shots together -> free parameters with intervals, ridges, predictions, advice");
   command->add_option("job", calibrate.job, "TOML job")->required();
   command->add_option("--budget", calibrate.budget, "wall time to keep to, as 60s or 5min: the best answer within it");
   command->add_flag("--details", calibrate.details, "print every shot and every fresh run");

@@ -1,4 +1,5 @@
-// docs/formats/calibrate.md against the reader and the result: every key that is asked for or written stands on the page.
+// docs/formats/calibrate.md against the reader and the result: every key that is asked for or written stands on the
+// page.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -69,6 +70,29 @@ TEST_F(CalibratePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
     keys["[[shots]]"].insert(key);
   keys["[[ridge_points]]"].insert("where");
   EXPECT_EQ(keys, described());
+}
+
+TEST_F(CalibratePage, NamesTheDefaultsOfTraining) {
+  const std::string all = page(), section = all.substr(all.find("## [training]"),
+                                                       all.find("## [solver]") - all.find("## [training]"));
+  const auto default_of = [&](const std::string& key) {
+    std::istringstream cells(section.substr(section.find("| `" + key + "`")));
+    std::string cell;
+    for (int column = 0; column < 5; ++column) std::getline(cells, cell, '|');
+    return std::stod(cell);
+  };
+  const TrainingSettings defaults;
+  EXPECT_EQ(default_of("coarse"), defaults.coarse);
+  EXPECT_EQ(default_of("fine"), defaults.fine);
+  EXPECT_EQ(default_of("verify"), defaults.verify);
+  EXPECT_EQ(default_of("initial"), defaults.initial);
+  EXPECT_EQ(default_of("batch"), defaults.batch);
+  EXPECT_EQ(default_of("most"), defaults.most);
+  EXPECT_EQ(default_of("fine_share"), defaults.fine_share);
+  EXPECT_EQ(default_of("accuracy"), defaults.accuracy);
+  EXPECT_EQ(default_of("failures_tolerated"), defaults.failures_tolerated);
+  EXPECT_EQ(default_of("verify_replicates"), defaults.verify_replicates);
+  EXPECT_EQ(default_of("seed"), defaults.seed);
 }
 
 void collect_keys(const json& value, std::set<std::string>& keys) {

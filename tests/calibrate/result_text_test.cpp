@@ -78,17 +78,28 @@ TEST_F(CalibrationText, SaysWhereTheErrorComesFrom) {
   EXPECT_THAT(row(tables(), "where the error of E of soft", "rate factor"), ElementsAre("rate factor", "6 %", "36 %"));
 }
 
+TEST_F(CalibrationText, SourcesThatAreNextToNothingAreOneRow) {
+  result.readings[0].budgets[0].sources.push_back({"speed", 0.003, 0.0009});
+  result.readings[0].budgets[0].sources.push_back({"depth", 0.004, 0.0016});
+  EXPECT_TRUE(row(tables(), "where the error of E of soft", "speed").empty());
+  EXPECT_THAT(row(tables(), "where the error of E of soft", "everything else"),
+              ElementsAre("everything else", "0.5 %", "0.25 %"));
+}
+
 TEST_F(CalibrationText, FindingsAreNotes) {
   EXPECT_THAT(tables().back().notes, Contains("note: The strain and the modulus go together."));
 }
 
 TEST_F(CalibrationText, ReadingsStandSideBySide) {
-  const TextTable table = readings_side_by_side(job, result);
-  EXPECT_THAT(table.rows.at(0), ElementsAre("", "mu means", "strain", "mu", "mu_hard", "alpha", "strain",
-                                            "balls, fitted", "by hand, predicted", "E of soft"));
-  EXPECT_THAT(table.rows.at(1),
-              ElementsAre("free", "true", "engineering", "100 kPa", "200 kPa", "6", "0.9", "8.00 %", "-", "30 kPa"));
-  EXPECT_EQ(table.rows.at(2).at(3), "90 kPa held");
+  const std::vector<TextTable> all{readings_side_by_side(job, result)};
+  EXPECT_THAT(all[0].rows.at(0), ElementsAre("reading", "1", "2"));
+  EXPECT_THAT(all[0].notes, Contains("2: held"));
+  EXPECT_THAT(row(all, "readings", "mu means"), ElementsAre("mu means", "true", "mu/alpha"));
+  EXPECT_THAT(row(all, "readings", "contact stiffness"), ElementsAre("contact stiffness", "0.5", "0.156"));
+  EXPECT_THAT(row(all, "readings", "mu"), ElementsAre("mu", "100 kPa", "90 kPa held"));
+  EXPECT_THAT(row(all, "readings", "E of soft"), ElementsAre("E of soft", "30 kPa", "30 kPa"));
+  EXPECT_THAT(row(all, "readings", "balls, fitted"), ElementsAre("balls, fitted", "8.00 %", "8.00 %"));
+  EXPECT_THAT(row(all, "readings", "by hand, predicted"), ElementsAre("by hand, predicted", "-", "-"));
 }
 
 TEST_F(CalibrationText, EmulatorsSayWhyTheyStoppedAndHowTheirErrorFell) {

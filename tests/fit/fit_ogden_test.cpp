@@ -31,8 +31,8 @@ double sum_of_squares(const CurveData& data, const Ogden& solid, Residual residu
   double sum = 0;
   for (const auto& [strained, stress, standard_error, source] : data.points) {
     if (residual == Residual::relative && stress == 0) continue;
-    const double residual_k = (stress - nominal_stress(solid, strained)) / (residual == Residual::relative ? stress : 1);
-    sum += residual_k * residual_k;
+    const double misfit = (stress - nominal_stress(solid, strained)) / (residual == Residual::relative ? stress : 1);
+    sum += misfit * misfit;
   }
   return sum;
 }

@@ -105,7 +105,7 @@ struct TrainingSettings {
   int batch = 40;                          // runs of each later round
   int most = 900;                          // runs altogether, for each emulator
   double fine_share = 0.25;                // of each round
-  double accuracy = 0.15;                  // stop where the emulator's error is below this share of the data's
+  double accuracy = 0.2;                   // stop where the emulator's error is below this share of the data's
   double failures_tolerated = 0.5;         // share of runs without a depth; above it the job stops and says why
   int verify_replicates = 1;
   unsigned seed = 20090401;

@@ -75,7 +75,7 @@ struct Extent {
   }
 };
 
-// --- ridges -----------------------------------------------------------------------------------------------------------------
+// --- ridges -----------------------------------------------------------------------------------------------------
 
 // A reading's ridge of one modulus, if it has one.
 const RidgeMap* ridge_of(const ReadingResult& reading, int modulus) {
@@ -144,10 +144,12 @@ Plot ridge_plot(const CalibrationJob& job, const CalibrationResult& result, int 
                       "set logscale y\nset format y \"%.0s %cPa\"\n" + extent.axis('y'))};
 }
 
-// --- depths -----------------------------------------------------------------------------------------------------------------
+// --- depths -----------------------------------------------------------------------------------------------------
 
+// In radii, so that large and small balls share a plot.
 std::string depth_row(const MeasuredShot& shot, const ShotDepth& depth) {
-  return fmt::format("{:.5g} {:.5g} {:.5g} {:.5g}\n", shot.depth, depth.depth, depth.low, depth.high);
+  return fmt::format("{:.5g} {:.5g} {:.5g} {:.5g}\n", shot.depth / shot.radius, depth.depth / shot.radius,
+                     depth.low / shot.radius, depth.high / shot.radius);
 }
 
 Plot depth_plot(const CalibrationJob& job, const ReadingResult& reading) {
@@ -160,7 +162,7 @@ Plot depth_plot(const CalibrationJob& job, const ReadingResult& reading) {
       const MeasuredShot& shot = job.shots[depth.shot];
       if (shot.set != static_cast<int>(s)) continue;
       (depth.fitted ? fitted : predicted) += depth_row(shot, depth);
-      for (const double value : {shot.depth, depth.depth}) extent.take(value);
+      for (const double value : {shot.depth, depth.depth}) extent.take(value / shot.radius);
       csv += fmt::format("{},{},{:.8g},{},{:.8g},{:.8g},{:.8g},{}\n", csv_quoted(shot.label),
                          csv_quoted(job.sets[s].name), shot.depth, shot.at_least ? "yes" : "no", depth.depth, depth.low,
                          depth.high, depth.fitted ? "yes" : "no");
@@ -176,37 +178,41 @@ Plot depth_plot(const CalibrationJob& job, const ReadingResult& reading) {
   script.plot +=
       fmt::format("{}x with lines lw 0.8 lc rgb \"#888888\" notitle", script.plot.empty() ? "plot " : ", \\\n     ");
   return {fmt::format("depths_{}", reading.reading + 1), csv,
-          script.text(heading("Depths: " + job.readings[reading.reading].name, "measured, m",
-                              "model, m; interval of one shot") +
-                      "set logscale xy\nset format xy \"%.0s %cm\"\n" + extent.axis('x') + extent.axis('y'))};
+          script.text(heading("Depths: " + job.readings[reading.reading].name, "measured, radii",
+                              "model, radii; interval of one shot") +
+                      "set logscale xy\n" + extent.axis('x') + extent.axis('y'))};
 }
 
-// --- error against time -----------------------------------------------------------------------------------------------------
+// --- error against time -----------------------------------------------------------------------------------------
 
 Plot time_plot(const CalibrationResult& result) {
   Script script;
+  Extent seconds, errors;
   std::string csv = "emulator,runs,cpu_s,error_at_optimum,data_error\n";
   for (std::size_t e = 0; e < result.emulators.size(); ++e) {
     const EmulatorReport& emulator = result.emulators[e];
-    std::string points, data;
+    std::string points;
     for (const auto& round : emulator.rounds) {
       csv += fmt::format("{},{},{:.6g},{:.6g},{:.6g}\n", csv_quoted(emulator.setting), round.runs, round.cpu_seconds,
                          round.error, emulator.data_error);
       if (!(round.cpu_seconds > 0 && round.error > 0)) continue;
       points += fmt::format("{:.5g} {:.5g} {}\n", round.cpu_seconds, 100 * round.error, round.runs);
-      if (emulator.data_error > 0) data += fmt::format("{:.5g} {:.5g}\n", round.cpu_seconds, 100 * emulator.data_error);
+      seconds.take(round.cpu_seconds);
+      errors.take(100 * round.error);
     }
     if (points.empty()) continue;
     script.add(points, fmt::format("using 1:2 with linespoints pt 7 ps 0.6 lw 1.3 lc rgb \"{}\" title {}", colour(e),
                                    quoted(emulator.setting)));
-    if (!data.empty())
-      script.add(data, fmt::format("with lines dt 2 lw 0.9 lc rgb \"{}\" title \"the data's\"", colour(e)));
+    if (!(emulator.data_error > 0)) continue;
+    errors.take(100 * emulator.data_error);
+    script.plot += fmt::format(", \\\n     {:.5g} with lines dt 2 lw 0.9 lc rgb \"{}\" title \"the data's\"",
+                               100 * emulator.data_error, colour(e));
   }
   return {"error_vs_time", csv,
           script.series == 0 ? ""
                              : script.text(heading("The emulators' error at the optimum against processor time",
                                                    "processor time of the runs, s", "error of a depth, %") +
-                                           "set logscale xy\n")};
+                                           "set logscale xy\n" + seconds.axis('x') + errors.axis('y'))};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The parts of the reader of calibration jobs, a file each. Each takes the root table and adds to the job what it has read; the
-// order in read_calibration_job is the order in which they need each other. They throw BadInput.
+// The parts of the reader of calibration jobs, a file each. Each takes the root table and adds to the job what it has
+// read; the order in read_calibration_job is the order in which they need each other. They throw BadInput.
 #pragma once
 #include <string>
 
@@ -18,15 +18,16 @@ void read_cross_validations(const TomlTable& root, CalibrationJob& job);  // rea
 void read_published(const TomlTable& root, CalibrationJob& job);          // read_readings.cpp
 void read_training(const TomlTable& root, CalibrationJob& job);           // read_training.cpp
 
-// What no single block can tell: numbers, materials and groups that nothing uses, parameters that no fitted datum depends on.
+// What no single block can tell: numbers, materials and groups that nothing uses, parameters that no fitted datum
+// depends on.
 void check_use(const TomlTable& root, const CalibrationJob& job);  // check_use.cpp
 
 // A share of 1: a number, or a text in percent, "5 %".
 double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback);
 std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range);
 
-// Index of the block's material, and of its scatter group: `fallback` where the block names none, and made where nobody has
-// declared it.
+// Index of the block's material, and of its scatter group: `fallback` where the block names none, and made where nobody
+// has declared it.
 int material_index(const TomlTable& block, const CalibrationJob& job);
 int group_index(const TomlTable& block, const std::string& fallback, CalibrationJob& job);
 

@@ -8,6 +8,7 @@ namespace percal {
 namespace {
 
 using namespace calibration_text;
+constexpr double next_to_nothing = 0.002;  // of a variance
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string level_words(const CalibrationJob& job) { return fmt::format("{:g} %", 100 * job.level); }
@@ -157,15 +158,26 @@ TextTable fresh_table(const CalibrationJob& job, const ReadingResult& reading) {
   return table;
 }
 
+// Sources that are next to nothing are one row.
 TextTable budget_table(const CalibrationJob& job, const ErrorBudget& budget) {
   TextTable table{
       fmt::format("where the error of {} comes from: {} ({}, {})", budget.quantity, pressure(budget.total.value),
                   interval_words(budget.total.interval, pressure), level_words(job)),
       {{"", "standard deviation", "share of the variance"}},
       {}};
-  for (const ErrorSource& source : budget.sources)
+  double rest_of_variance = 0, rest_of_shares = 0;
+  for (const ErrorSource& source : budget.sources) {
+    if (source.share < next_to_nothing) {
+      rest_of_variance += source.standard_deviation * source.standard_deviation;
+      rest_of_shares += source.share;
+      continue;
+    }
     table.rows.push_back({source.name, rough_percent(source.standard_deviation), rough_percent(source.share)});
-  table.rows.push_back({"all", rough_percent(budget.standard_deviation), ""});
+  }
+  if (rest_of_shares > 0)
+    table.rows.push_back(
+        {"everything else", rough_percent(std::sqrt(rest_of_variance)), rough_percent(rest_of_shares)});
+  table.rows.push_back({"together", rough_percent(budget.standard_deviation), ""});
   return table;
 }
 

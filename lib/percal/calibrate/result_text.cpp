@@ -20,6 +20,18 @@ std::string value_under(const CalibrationJob& job, const ReadingResult& reading,
   return value_of(free, free.natural(reading.minima.front().searched[place - reading.parameters.begin()]));
 }
 
+std::string quasi_static_modulus(const ReadingResult& reading, const std::string& material) {
+  const auto found = std::find_if(reading.moduli.begin(), reading.moduli.end(),
+                                  [&](const MaterialModuli& m) { return m.material == material; });
+  const bool known = found != reading.moduli.end() && found->youngs_quasi_static_true;
+  return known ? pressure(found->youngs_quasi_static_true->value) : "-";
+}
+
+std::string mean_deviation_of(const std::vector<Deviation>& sets, const std::string& name) {
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Deviation& d) { return d.name == name; });
+  return found != sets.end() && found->shots > 0 ? percent(found->mean_absolute) : "-";
+}
+
 // Names of the sets of shots in all readings, in their order.
 std::vector<std::string> set_names(const CalibrationResult& result) {
   std::vector<std::string> names;
@@ -32,32 +44,32 @@ std::vector<std::string> set_names(const CalibrationResult& result) {
 }  // namespace
 
 TextTable readings_side_by_side(const CalibrationJob& job, const CalibrationResult& result) {
-  TextTable table{"readings side by side", {{"", "mu means", "strain"}}, {}};
-  for (const auto& parameter : job.parameters) table.rows[0].push_back(parameter.free.name);
-  const auto sets = set_names(result);
-  table.rows[0].insert(table.rows[0].end(), sets.begin(), sets.end());
-  for (const CalibrationMaterial& material : job.materials)
-    if (material.rate_factor) table.rows[0].push_back("E of " + material.name);
-  for (const ReadingResult& reading : result.readings) {
-    const CalibrationReading& read = job.readings[reading.reading];
-    std::vector<std::string> row{read.name, word(read.convention), word(read.measure)};
-    for (std::size_t k = 0; k < job.parameters.size(); ++k)
-      row.push_back(value_under(job, reading, static_cast<int>(k)));
-    for (const std::string& set : sets) {
-      const auto found =
-          std::find_if(reading.sets.begin(), reading.sets.end(), [&](const Deviation& d) { return d.name == set; });
-      row.push_back(found != reading.sets.end() && found->shots > 0 ? percent(found->mean_absolute) : "-");
-    }
-    for (const CalibrationMaterial& material : job.materials) {
-      if (!material.rate_factor) continue;
-      const auto found = std::find_if(reading.moduli.begin(), reading.moduli.end(),
-                                      [&](const MaterialModuli& m) { return m.material == material.name; });
-      const bool known = found != reading.moduli.end() && found->youngs_quasi_static_true;
-      row.push_back(known ? pressure(found->youngs_quasi_static_true->value) : "-");
-    }
+  TextTable table{"readings side by side", {{"reading"}}, {}};
+  const auto add = [&](const std::string& what, const auto& cell) {
+    std::vector<std::string> row{what};
+    for (const ReadingResult& reading : result.readings) row.push_back(cell(reading));
     table.rows.push_back(row);
-  }
-  table.notes.push_back("moduli as given; E = 3 mu, mu true, quasi-static; sets: mean deviation of the depths");
+  };
+  for (const ReadingResult& reading : result.readings) table.rows[0].push_back(fmt::format("{}", reading.reading + 1));
+  const auto choices = [&](const ReadingResult& reading) -> const CalibrationReading& {
+    return job.readings[reading.reading];
+  };
+  add("mu means", [&](const ReadingResult& reading) { return word(choices(reading).convention); });
+  add("strain", [&](const ReadingResult& reading) { return word(choices(reading).measure); });
+  add("contact stiffness",
+      [&](const ReadingResult& reading) { return fmt::format("{:g}", choices(reading).contact_stiffness); });
+  for (std::size_t k = 0; k < job.parameters.size(); ++k)
+    add(job.parameters[k].free.name,
+        [&](const ReadingResult& reading) { return value_under(job, reading, static_cast<int>(k)); });
+  for (const CalibrationMaterial& material : job.materials)
+    if (material.rate_factor)
+      add("E of " + material.name,
+          [&](const ReadingResult& reading) { return quasi_static_modulus(reading, material.name); });
+  for (const std::string& set : set_names(result))
+    add(set, [&](const ReadingResult& reading) { return mean_deviation_of(reading.sets, set); });
+  for (std::size_t r = 0; r < job.readings.size(); ++r)
+    table.notes.push_back(fmt::format("{}: {}", r + 1, job.readings[r].name));
+  table.notes.push_back("moduli as given; E = 3 mu, mu true, quasi-static; of sets the mean deviation of their depths");
   return table;
 }
 
@@ -106,10 +118,11 @@ std::vector<TextTable> emulator_tables(const CalibrationResult& result) {
 }
 
 std::vector<std::string> cost_sentences(const CalibrationCost& cost) {
-  std::vector<std::string> sentences{fmt::format(
-      "{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all{}, {}", cost.runs, cost.reused,
-      cost.cpu_seconds, cost.wall_seconds,
-      cost.budget_seconds ? fmt::format(" of a budget of {:g} s", *cost.budget_seconds) : "", cost.instruction_level)};
+  std::vector<std::string> sentences{
+      fmt::format("{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all{}{}", cost.runs, cost.reused,
+                  cost.cpu_seconds, cost.wall_seconds,
+                  cost.budget_seconds ? fmt::format(" of a budget of {:g} s", *cost.budget_seconds) : "",
+                  cost.instruction_level.empty() ? "" : ", " + cost.instruction_level)};
   if (!cost.advice.empty()) sentences.push_back(cost.advice);
   return sentences;
 }

@@ -20,8 +20,8 @@ inline constexpr std::size_t few_shots = 12;  // of a job, whose depths are show
 // All readings side by side, where there are several.
 TextTable readings_side_by_side(const CalibrationJob& job, const CalibrationResult& result);
 
-// Everything about one reading: parameters, moduli, depths, predictions beside the closed form's, fresh runs, where the error comes
-// from, what to measure next, and what a reader must know.
+// Everything about one reading: parameters, moduli, depths, predictions beside the closed form's, fresh runs, where the
+// error comes from, what to measure next, and what a reader must know.
 std::vector<TextTable> reading_tables(const CalibrationJob& job, const CalibrationResult& result,
                                       const ReadingResult& reading, ShotTables shots);
 

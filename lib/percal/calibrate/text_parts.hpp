@@ -16,6 +16,7 @@ inline std::string signed_percent(double share) {
 }
 inline std::string rough_percent(double share) {  // two digits
   if (!std::isfinite(share)) return "-";
+  if (0 < share && share < 5e-5) return "< 0.01 %";
   return std::abs(share) < 0.995 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 inline std::string length(double metres) {
