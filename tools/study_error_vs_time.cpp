@@ -54,7 +54,7 @@ std::vector<std::string> row_of(const Rung& rung, const RungError* error) {
     row.push_back(signed_percent(e.value));
     row.push_back(fmt::format("{:+.1f} to {}", 100 * e.low,
                               std::isfinite(e.high) ? fmt::format("{:+.1f}", 100 * e.high) : "no bound"));
-    for (const Interval& mean : error->combined) row.push_back(percent(mean.value));
+    for (const ErrorBand& mean : error->combined) row.push_back(percent(mean.value));
   } else {
     row.resize(row.size() + 2 + replicate_counts.size(), "-");
   }

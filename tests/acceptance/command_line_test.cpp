@@ -19,12 +19,12 @@ class CommandLine : public Program {};
 TEST_F(CommandLine, TheHelpOfEveryCommandHasAnExample) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const std::string command : {"fit", "scale", "impact", "identify", "card"}) {
+  for (const std::string command : {"fit", "scale", "impact", "identify", "calibrate", "card"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Ended ended = command == "card" ? run({command, "write", "--help"}) : run({command, "--help"});
     EXPECT_EQ(ended.code, 0);
     EXPECT_THAT(ended.err, IsEmpty());
-    EXPECT_THAT(ended.out, HasSubstr("Example: percal " + command)) << command;
+    EXPECT_THAT(ended.out, testing::ContainsRegex("Examples?: percal " + command)) << command;
   }
 }
 
@@ -39,7 +39,7 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
       {{"identfy", job},
-       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, identify, study, card"},
+       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, identify, calibrate, study, card"},
       {{"identify"}, "job"},
       {{"identify", job, job}, "skin.toml"},
       {{"impact", scene, "--threads", "-1"}, "--threads"},

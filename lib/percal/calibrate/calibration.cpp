@@ -22,6 +22,9 @@ using Announce = std::function<void(const std::string&)>;
 constexpr double share_for_training = 0.7;  // of a budget
 constexpr int plausible_for_each = 10;      // points of parameter space a round looks at, for each reading
 constexpr double temperature = 1.5;         // a little wider than the data allow
+constexpr double trusted_spread =
+    1.3;                        // of fresh runs in stated errors: 1 is right, and some 25 runs scatter about it by 0.14
+constexpr int most_checks = 4;  // of the best points
 constexpr std::size_t most_targets = 160, most_places = 160;
 
 // Readings that share the solver's setting share an emulator.
@@ -73,10 +76,40 @@ struct Trained {
 
 double element_size(const CalibrationJob& job) { return 1.0 / job.training.verify; }
 
+// Why no more runs are needed, or to be had; empty where they are. `ratio`: the emulator's error over the data's.
+std::string why_enough(const CalibrationJob& job, const Training& training, const CalibrationLimits& limits,
+                       double ratio) {
+  if (ratio <= job.training.accuracy)
+    return fmt::format("the emulator's error is below {:g} of the data's", job.training.accuracy);
+  if (training.full()) return fmt::format("{} runs were made, as many as the job allows", job.training.most);
+  if (limits.spent(share_for_training)) return "the budget for runs was spent";
+  return "";
+}
+
+// The best points of all readings are run anew on the verifying mesh. Where the runs lie further from the emulator than it says, it
+// learns from them, and says true.
+bool best_points_hold(const CalibrationJob& job, const std::vector<int>& readings, const std::vector<JobFit>& fits,
+                      Training& training, Campaign& campaign, const Announce& announce) {
+  std::vector<Problem> problems;
+  double worst = 0;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const JobModel model = finite_element_model(job, job.readings[readings[k]], training.emulator(), element_size(job));
+    worst = std::max(worst, spread(fresh_runs(job, readings[k], model, fits[k], training.emulator(), campaign)));
+    const auto more = fresh_problems(job, readings[k], model, fits[k]);
+    problems.insert(problems.end(), more.begin(), more.end());
+  }
+  announce(fmt::format("{}: fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
+                       training.report().setting, worst));
+  if (worst <= trusted_spread) return true;
+  training.add_runs(problems);
+  return false;
+}
+
 // Rounds of fitting and running until the emulator is surer than the data, in all the readings.
-Trained train(const CalibrationJob& job, const std::vector<int>& readings, Training& training,
+Trained train(const CalibrationJob& job, const std::vector<int>& readings, Training& training, Campaign& campaign,
               const CalibrationLimits& limits, const Announce& announce) {
   training.fill_space();
+  int checks = 0;
   Trained trained;
   std::vector<std::optional<VectorXd>> starts(readings.size());
   for (int round = 0;; ++round) {
@@ -112,17 +145,12 @@ Trained train(const CalibrationJob& job, const std::vector<int>& readings, Train
     if (!report.rounds.empty()) report.rounds.back().error = emulator;
     announce(fmt::format("{}: {} runs, emulator's error at the optimum {:.2g} %, data's {:.2g} %", report.setting,
                          training.emulator().runs().size(), 100 * emulator, 100 * data));
-    if (worst <= job.training.accuracy) {
-      trained.why = fmt::format("the emulator's error is below {:g} of the data's", job.training.accuracy);
-      return trained;
-    }
-    if (training.full()) {
-      trained.why = fmt::format("{} runs were made, as many as the job allows", job.training.most);
-      return trained;
-    }
-    if (limits.spent(share_for_training)) {
-      trained.why = "the budget for runs was spent";
-      return trained;
+    trained.why = why_enough(job, training, limits, worst);
+    if (!trained.why.empty()) {
+      if (limits.spent(share_for_training) || checks++ == most_checks ||
+          best_points_hold(job, readings, trained.fits, training, campaign, announce))
+        return trained;
+      continue;
     }
     training.add_round(evenly(targets, most_targets), evenly(places, most_places));
   }
@@ -196,7 +224,7 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
   bool complete = true;
   for (const auto& readings : settings_of(job)) {
     Training training(job, readings, &store, campaign, limits);
-    const Trained trained = train(job, readings, training, limits, announce);
+    const Trained trained = train(job, readings, training, campaign, limits, announce);
     training.report().stopped = trained.why;
     if (training.has_emulator()) finish_report(training.report(), training.emulator());
     result.emulators.push_back(training.report());

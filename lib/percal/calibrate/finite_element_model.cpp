@@ -155,11 +155,13 @@ std::vector<Datum> curve_data(const CalibrationJob& job) {
   std::vector<Datum> data;
   for (const auto& curve : job.curves) {
     const auto scales = stress_scales(curve);
-    for (std::size_t k = 0; k < curve.data.points.size(); ++k)
+    for (std::size_t k = 0; k < curve.data.points.size(); ++k) {
+      const StressPoint& point = curve.data.points[k];
       data.push_back({.label = curve.name,
-                      .value = curve.data.points[k].nominal_stress / scales[k],
-                      .error = curve.relative_error,
+                      .value = point.nominal_stress / scales[k],
+                      .error = point.standard_error ? *point.standard_error / scales[k] : curve.relative_error,
                       .group = curve.group});
+    }
   }
   return data;
 }

@@ -38,7 +38,7 @@ std::vector<double> natural_values(const CalibrationJob& job, const CalibrationR
 inline constexpr double smallest_stress_share = 0.02;
 std::vector<double> stress_scales(const MeasuredCurve& curve);
 
-// The curves as data: stress over scale.
+// The curves as data: stress over scale, with the point's own standard error where its file has one, else the curve's.
 std::vector<Datum> curve_data(const CalibrationJob& job);
 
 }  // namespace percal

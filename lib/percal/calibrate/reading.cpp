@@ -118,8 +118,7 @@ ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& m
   return result;
 }
 
-std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
-                                 const Emulator& emulator, Campaign& campaign) {
+std::vector<Problem> fresh_problems(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit) {
   const CalibrationReading& read = job.readings[reading];
   const auto natural = natural_values(job, read, model, fit.at);
   std::vector<Problem> problems;
@@ -128,8 +127,15 @@ std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const J
     problems.push_back(
         shot_problem(job, read, shot, material_at(job, read, shot.material, natural), job.training.verify));
   }
+  return problems;
+}
+
+std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
+                                 const Emulator& emulator, Campaign& campaign) {
+  const auto problems = fresh_problems(job, reading, model, fit);
   const int replicates = job.training.verify_replicates;
-  Progress progress("fresh runs at the best point: " + read.name, static_cast<long>(problems.size()) * replicates);
+  Progress progress("fresh runs at the best point: " + job.readings[reading].name,
+                    static_cast<long>(problems.size()) * replicates);
   const auto runs = campaign.replicate(problems, replicates, &progress);
   const ModelAnswer emulated = model.log_depths(fit.at, fit.shots, Want::values_and_covariance);
   const double noise = emulator.noise(1.0 / job.training.verify);
@@ -153,6 +159,17 @@ std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const J
     fresh.push_back(run);
   }
   return fresh;
+}
+
+double spread(const std::vector<FreshRun>& runs) {
+  double sum = 0;
+  int count = 0;
+  for (const FreshRun& run : runs)
+    if (run.depth) {
+      sum += run.standardised * run.standardised;
+      ++count;
+    }
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace percal

@@ -3,6 +3,7 @@
 #include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/limits.hpp"
 #include "percal/campaign/campaign.hpp"
+#include "percal/problem/problem.hpp"
 
 namespace percal {
 
@@ -15,9 +16,15 @@ SearchOptions thorough_search();
 ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& model, const JobModel& without_mesh,
                        const JobFit& fit, const CalibrationLimits& limits);
 
-// The fitted shots run anew at the best point, on the verifying mesh.
+// The fitted shots at the best point, on the verifying mesh.
+std::vector<Problem> fresh_problems(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit);
+
+// These runs, with their replicates, beside the emulator.
 std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
                                  const Emulator& emulator, Campaign& campaign);
+
+// Root mean square of the standardised differences: 1 where the emulator's stated error is right. 0 without a run that stopped.
+double spread(const std::vector<FreshRun>& runs);
 
 // Error of the emulator and of the data at the fitted shots, as relative standard deviations, means over the shots.
 struct ErrorSizes {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/calibrate/reading.hpp"
+
 namespace percal {
 namespace {
 
@@ -14,15 +16,17 @@ constexpr double trusted_spread =
 
 std::string number(double value) { return fmt::format("{:.3g}", value); }
 
-// A parameter's value with its interval and unit, moduli in the unit that reads best.
+// Moduli in the unit that reads best.
+std::string with_unit(double value, const std::string& unit) {
+  if (unit.empty()) return number(value);
+  if (unit != "Pa") return number(value) + " " + unit;
+  return value >= 1e6 ? number(value / 1e6) + " MPa" : number(value / 1e3) + " kPa";
+}
+
 std::string with_interval(const FreeParameter& parameter, double value, const Interval& interval) {
-  const double size = parameter.unit != "Pa" ? 1 : value >= 1e6 ? 1e6 : 1e3;
-  const std::string unit = parameter.unit.empty()   ? ""
-                           : parameter.unit != "Pa" ? " " + parameter.unit
-                           : value >= 1e6           ? " MPa"
-                                                    : " kPa";
-  return fmt::format("{}{} ({}{} to {}{})", number(value / size), unit, interval.low_open ? "below " : "",
-                     number(interval.low / size), interval.high_open ? "above " : "", number(interval.high / size));
+  return fmt::format("{} ({}{} to {}{})", with_unit(value, parameter.unit), interval.low_open ? "below " : "",
+                     with_unit(interval.low, parameter.unit), interval.high_open ? "above " : "",
+                     with_unit(interval.high, parameter.unit));
 }
 
 // What the fit's scatter would do to a perfect model: nothing can be predicted better.
@@ -110,11 +114,9 @@ void held_against_free(const CalibrationJob& job, const CalibrationResult& resul
         const Interval& interval = freeing.intervals[k].interval;
         const double best = p.natural(freeing.minima[0].searched[static_cast<Eigen::Index>(k)]);
         const bool inside = interval.low <= value && value <= interval.high;
-        const double size = p.unit == "Pa" ? (value >= 1e6 ? 1e6 : 1e3) : 1;
-        sentences.push_back(fmt::format("\"{}\" holds {} at {:.3g}{}, {} of \"{}\", which finds {}.", a.name, p.name,
-                                        value / size, p.unit == "Pa" ? (size > 1e3 ? " MPa" : " kPa") : "",
-                                        inside ? "within the interval" : "outside the interval", b.name,
-                                        with_interval(p, best, interval)));
+        sentences.push_back(fmt::format(
+            "\"{}\" holds {} at {}, {} of \"{}\", which finds {}.", a.name, p.name, with_unit(value, p.unit),
+            inside ? "within the interval" : "outside the interval", b.name, with_interval(p, best, interval)));
         break;
       }
 }
@@ -122,23 +124,16 @@ void held_against_free(const CalibrationJob& job, const CalibrationResult& resul
 void fresh_against_emulated(const CalibrationJob& job, const CalibrationResult& result,
                             std::vector<std::string>& sentences) {
   for (const ReadingResult& reading : result.readings) {
-    double sum = 0;
-    int count = 0, failed = 0;
-    for (const FreshRun& run : reading.fresh) {
-      if (!run.depth) {
-        ++failed;
-        continue;
-      }
-      sum += run.standardised * run.standardised;
-      ++count;
-    }
+    const auto failed =
+        std::count_if(reading.fresh.begin(), reading.fresh.end(), [](const auto& r) { return !r.depth; });
+    const auto count = static_cast<long>(reading.fresh.size()) - failed;
     if (count == 0) continue;
-    const double spread = std::sqrt(sum / count);
+    const double off = spread(reading.fresh);
     sentences.push_back(
         fmt::format("\"{}\": {} fresh runs on {} elements per radius lie {:.2g} of the emulator's stated errors from "
                     "it (1 is right{}){}.",
-                    job.readings[reading.reading].name, count, job.training.verify, spread,
-                    spread > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
+                    job.readings[reading.reading].name, count, job.training.verify, off,
+                    off > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
                     failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
   }
 }
@@ -167,23 +162,28 @@ void spread_over_readings(const CalibrationJob& job, const CalibrationResult& re
 void closed_form_beside(const CalibrationJob& job, const CalibrationResult& result,
                         std::vector<std::string>& sentences) {
   if (!result.dehn) return;
-  const auto compare = [&](const CrossValidationResult& ours, const CrossValidationResult& theirs,
+  int tasks = 0, better = 0;
+  std::string where;
+  const auto compare = [&](const CrossValidationResult& ours, const std::vector<CrossValidationResult>& all,
                            const std::string& reading) {
-    if (ours.prediction.shots == 0) return;
-    if (theirs.prediction.mean_absolute < ours.prediction.mean_absolute)
-      sentences.push_back(
-          fmt::format("Dehn's closed form predicts better in \"{}\": {:.3g} % against {:.3g} % of \"{}\".", ours.name,
-                      100 * theirs.prediction.mean_absolute, 100 * ours.prediction.mean_absolute, reading));
+    for (const CrossValidationResult& theirs : all) {
+      if (ours.name != theirs.name || ours.prediction.shots == 0) continue;
+      ++tasks;
+      if (theirs.prediction.mean_absolute >= ours.prediction.mean_absolute) continue;
+      ++better;
+      where += fmt::format("{}\"{}\" ({:.3g} % against {:.3g} % of \"{}\")", where.empty() ? "" : ", ", ours.name,
+                           100 * theirs.prediction.mean_absolute, 100 * ours.prediction.mean_absolute, reading);
+    }
   };
   for (const ReadingResult& reading : result.readings) {
     const std::string& name = job.readings[reading.reading].name;
-    for (const auto& ours : reading.cross_validations)
-      for (const auto& theirs : result.dehn->cross_validations)
-        if (ours.name == theirs.name) compare(ours, theirs, name);
-    for (const auto& ours : reading.leave_one_out)
-      for (const auto& theirs : result.dehn->leave_one_out)
-        if (ours.name == theirs.name) compare(ours, theirs, name);
+    for (const auto& ours : reading.cross_validations) compare(ours, result.dehn->cross_validations, name);
+    for (const auto& ours : reading.leave_one_out) compare(ours, result.dehn->leave_one_out, name);
   }
+  if (tasks == 0) return;
+  sentences.push_back(
+      fmt::format("Dehn's closed form, two numbers for a material, predicts better in {} of {} predictions{}{}.",
+                  better, tasks, where.empty() ? "" : ": ", where));
 }
 
 }  // namespace

@@ -123,6 +123,11 @@ void Training::add_round(const std::vector<Target>& targets, const std::vector<P
   learn();
 }
 
+void Training::add_runs(const std::vector<Problem>& problems) {
+  run(problems);
+  learn();
+}
+
 // In pieces, so that a budget is kept; the pieces' size does not change what is learnt without one.
 void Training::run(const std::vector<Problem>& problems) {
   Progress progress(fmt::format("runs for the emulator, {}", report_.setting), static_cast<long>(problems.size()));

@@ -41,6 +41,9 @@ class Training {
   };
   void add_round(const std::vector<Target>& targets, const std::vector<Place>& places);
 
+  // Runs that were asked for elsewhere: learnt from like the others.
+  void add_runs(const std::vector<Problem>& problems);
+
   bool full() const { return design_runs_ >= job_.training.most; }
   const Emulator& emulator() const { return *emulator_; }
   bool has_emulator() const { return emulator_.has_value(); }

@@ -16,7 +16,9 @@ using Sentences = std::vector<std::string>;
 constexpr double negligible = 0.05;  // component of a combination, of its largest
 
 std::string quantity(const FreeParameter& free, double natural) {
-  return free.unit.empty() ? fmt::format("{:.3g}", natural) : fmt::format("{:.3g} {}", natural, free.unit);
+  if (free.unit.empty()) return fmt::format("{:.3g}", natural);
+  if (free.unit != "Pa") return fmt::format("{:.3g} {}", natural, free.unit);
+  return natural >= 1e6 ? fmt::format("{:.3g} MPa", natural / 1e6) : fmt::format("{:.3g} kPa", natural / 1e3);
 }
 
 std::string reach(const FreeParameter& free, const Interval& interval) {

@@ -37,7 +37,7 @@ std::string data_block(const Ladder& ladder, const ErrorVsTime& study, std::size
   std::string block = fmt::format("$mean{} << EOD\n", replicate_counts[count]);
   for (std::size_t i = 0; i < study.errors.size(); ++i) {
     const Rung& rung = ladder.meshes[study.first_used + i];
-    const Interval& error = study.errors[i].combined[count];
+    const ErrorBand& error = study.errors[i].combined[count];
     block += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {}\n", rung.cpu_seconds * replicate_counts[count],
                          percent(error.value), percent(error.low), percent(error.high), rung.elements_per_radius);
   }
@@ -50,7 +50,7 @@ std::string error_plot_script(const Ladder& ladder, const ErrorVsTime& study, co
   std::string script;
   double lowest = HUGE_VAL, highest = 0;
   for (const RungError& error : study.errors)
-    for (const Interval& mean : error.combined) {
+    for (const ErrorBand& mean : error.combined) {
       lowest = std::min(lowest, percent(mean.low));
       highest = std::max(highest, percent(mean.high));
     }

@@ -98,7 +98,7 @@ std::vector<LadderModel> resample(std::span<const GridPoint> points, std::size_t
   return models;
 }
 
-Interval interval_of(double value, const std::vector<double>& others) {
+ErrorBand interval_of(double value, const std::vector<double>& others) {
   return {value, std::min(value, quantile(others, 0.025)), std::max(value, quantile(others, 0.975))};
 }
 

@@ -13,17 +13,17 @@ namespace percal {
 
 inline constexpr std::array<int, 3> replicate_counts{1, 3, 10};  // whose means' errors are listed
 
-struct Interval {
+struct ErrorBand {
   double value = 0, low = 0, high = 0;  // low to high: 95 of 100 cases
 };
 
 // Errors are shares of the extrapolated depth.
 struct RungError {
-  Interval signed_error;              // of the mean that was found here
+  ErrorBand signed_error;              // of the mean that was found here
   double fitted_depth = 0;            // m
   std::optional<double> uncertainty;  // m, of grid_convergence(); not there for a mesh left out of the fit
   double discretisation = 0;          // the largest of this mesh and all finer ones, noise taken off
-  std::array<Interval, 3> combined;   // with the noise of a mean of replicate_counts runs
+  std::array<ErrorBand, 3> combined;   // with the noise of a mean of replicate_counts runs
 };
 
 // A change of a numerical setting: the share by which it changes the depth, with its standard error.
@@ -48,7 +48,7 @@ struct ErrorVsTime {
   GridConvergence convergence;
   std::size_t first_used = 0;    // the rungs of Ladder::meshes from here on stopped
   std::size_t first_fitted = 0;  // and from here on were fitted: coarser ones do not follow the curve
-  Interval limit;                // m, the extrapolated depth
+  ErrorBand limit;                // m, the extrapolated depth
   LadderModel model;
   std::vector<LadderModel> resampled;
   std::vector<RungError> errors;  // one for each used rung; empty where nothing could be fitted

@@ -22,7 +22,7 @@ const RungError* error_of(const Ladder& ladder, const ErrorVsTime& study, const 
   return study.errors.empty() ? nullptr : &study.errors[index - study.first_used];
 }
 
-Json interval_to_json(const Interval& interval) {
+Json interval_to_json(const ErrorBand& interval) {
   return {{"value", finite(interval.value)}, {"low", finite(interval.low)}, {"high", finite(interval.high)}};
 }
 
@@ -147,7 +147,7 @@ std::string error_vs_time_csv(const Ladder& ladder, const ErrorVsTime& study) {
     if (error) {
       cells = {error->fitted_depth,     error->uncertainty,       error->signed_error.value,
                error->signed_error.low, error->signed_error.high, error->discretisation};
-      for (const Interval& mean : error->combined) cells.insert(cells.end(), {mean.value, mean.low, mean.high});
+      for (const ErrorBand& mean : error->combined) cells.insert(cells.end(), {mean.value, mean.low, mean.high});
     }
     for (const auto& one : cells) csv += fmt::format(",{}", cell(one));
     csv += fmt::format(",{:.9g},{:.9g},{:.6g}\n", rung.steps, rung.element_steps, rung.cpu_seconds);
