@@ -130,7 +130,8 @@ TEST_F(SlowInterruptedCalibration, ASignalLeavesNothingHalfWrittenAndSaysHowToGo
   EXPECT_FALSE(fs::exists(path("signal/result.json")));
 }
 
-TEST_F(SlowInterruptedCalibration, ABudgetIsKeptAndWhatMoreWouldBuyIsSaid) {
+TEST_F(SlowInterruptedCalibration, ABudgetGivesTheBestAnswerWithinItAndSaysWhatMoreWouldBuy) {
+  ASSERT_EQ(run(command("budget", 2)).code, 0);  // so that the store has the runs of the first rounds
   auto budgeted = command("budget", 2);
   budgeted.insert(budgeted.end(), {"--budget", "1s"});
   const Ended ended = run(budgeted);
@@ -138,6 +139,13 @@ TEST_F(SlowInterruptedCalibration, ABudgetIsKeptAndWhatMoreWouldBuyIsSaid) {
   const json cost = found("budget")["cost"];
   EXPECT_EQ(cost["budget_s"], 1);
   EXPECT_FALSE(cost["advice"].get<std::string>().empty());
+}
+
+TEST_F(SlowInterruptedCalibration, ABudgetThatIsTooSmallForAnyAnswerEndsWithCodeThreeAndTheReason) {
+  auto budgeted = command("tiny", 2);
+  budgeted.insert(budgeted.end(), {"--budget", "1ms"});
+  EXPECT_EQ(run(budgeted).code, 3);
+  EXPECT_THAT(found("tiny")["findings"].dump(), testing::HasSubstr("too few runs"));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr int plausible_for_each = 10;      // points of parameter space a round
 constexpr double temperature = 1.5;         // a little wider than the data allow
 constexpr double trusted_spread =
     1.3;                        // of fresh runs in stated errors: 1 is right, and some 25 runs scatter about it by 0.14
-constexpr int most_checks = 4;  // of the best points
+constexpr int most_checks = 2;  // of the best points
 constexpr std::size_t most_targets = 160, most_places = 160;
 
 // Readings that share the solver's setting share an emulator.
