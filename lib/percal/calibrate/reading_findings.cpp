@@ -60,17 +60,20 @@ void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, con
   }
 }
 
-void moduli_beside_curves(const ReadingResult& result, std::vector<std::string>& sentences) {
+// A curve's modulus is what the reading takes the job's moduli for: mu, or MU1.
+void moduli_beside_curves(const CalibrationReading& reading, const ReadingResult& result,
+                          std::vector<std::string>& sentences) {
+  const bool is_mu1 = reading.convention == ModulusConvention::mu_over_alpha;
   for (const MaterialModuli& m : result.moduli) {
     if (!m.curve_modulus) continue;
-    const auto& [low, high, low_open, high_open] = m.mu_true.interval;
-    const bool held = low == high;
-    if (held) continue;
+    const Estimate& needed = is_mu1 ? m.mu_over_alpha : m.mu_true;
+    const double low = needed.interval.low, high = needed.interval.high;
+    if (low == high) continue;  // held
     const bool agree = low <= *m.curve_modulus && *m.curve_modulus <= high;
     sentences.push_back(
-        fmt::format("{}: the depths need mu = {:.3g} kPa ({:.3g} to {:.3g}), its curve says {:.3g} kPa: {}.",
-                    m.material, m.mu_true.value / 1e3, low / 1e3, high / 1e3, *m.curve_modulus / 1e3,
-                    agree ? "no contradiction" : "they contradict each other"));
+        fmt::format("{}: the depths need {} = {:.3g} kPa ({:.3g} to {:.3g}), its curve says {:.3g} kPa: {}.",
+                    m.material, is_mu1 ? "MU1" : "mu", needed.value / 1e3, low / 1e3, high / 1e3,
+                    *m.curve_modulus / 1e3, agree ? "no contradiction" : "they contradict each other"));
   }
 }
 
@@ -86,7 +89,7 @@ std::vector<std::string> reading_findings(const CalibrationJob& job, const JobMo
                                           const ReadingResult& result) {
   std::vector<std::string> sentences = findings(fit.problem, fit.minima, result.intervals);
   erosion_in_other_measures(job, fit, result, sentences);
-  moduli_beside_curves(result, sentences);
+  moduli_beside_curves(job.readings[result.reading], result, sentences);
   scatter_alone(job, fit, sentences);
   for (const ErrorBudget& budget : result.budgets)
     sentences.push_back(fmt::format("{} hangs most on {}: {:+.2g} % for each per cent of that depth.", budget.quantity,
