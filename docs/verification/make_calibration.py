@@ -205,7 +205,7 @@ Cross-validation, mean |deviation| of the predicted shots, Dehn's closed form by
 {table(["", "goal"] + readings + ["Dehn"], cross_rows(result))}
 ![the ridge of skin](../figures/calibration_ridge.svg)
 
-The 95 % region of modulus and erosion strain of skin, all other parameters fitted anew, reading "{readings[0]}"; the published pairs as true moduli.
+The 95 % regions of modulus and erosion strain of skin, all other parameters fitted anew, for every reading; moduli as each reading means them, and the pairs of Table 4-1 as printed, which is MU1 (docs/theory/conventions.md).
 
 ### Parameters
 
