@@ -2,8 +2,10 @@
 // emulator that has never seen those runs.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "calibrate/gel_job.hpp"
 #include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/reading.hpp"
 #include "percal/calibrate/shot_problem.hpp"
@@ -22,21 +24,13 @@ constexpr double scatter = 0.05;  // of ln depth, of the data made here
 constexpr int truths = 10, replicates = 10;
 
 CalibrationJob steel_into_gel() {
-  CalibrationJob job;
+  CalibrationJob job = test::gel_job(0);
   job.file = job.text = "steel_into_gel";
-  job.parameters = {
-      {ParameterKind::modulus, {.name = "mu", .unit = "Pa", .low = 80e3, .high = 800e3}},
-      {ParameterKind::exponent, {.name = "alpha", .unit = "", .low = 5, .high = 11, .logarithmic = false}},
-      {ParameterKind::erosion_strain, {.name = "erosion_strain", .unit = "", .low = 0.4, .high = 1.2}}};
-  job.materials = {{.name = "gel",
-                    .density = 1010,
-                    .mu = SharedParameter{0},
-                    .alpha = SharedParameter{1},
-                    .erosion_strain = SharedParameter{2},
-                    .rate_factor = {},
-                    .curve_modulus = {}}};
-  job.groups = {{"shots", true, 0}};
-  job.sets = {{"balls", false}};
+  const std::array<std::array<double, 2>, 3> box{{{80e3, 800e3}, {5, 11}, {0.4, 1.2}}};
+  for (std::size_t k = 0; k < box.size(); ++k) {
+    job.parameters[k].free.low = box[k][0];
+    job.parameters[k].free.high = box[k][1];
+  }
   for (const double diameter : {3.18e-3, 2.39e-3})
     for (const double speed : {50.0, 65.0, 80.0, 95.0, 110.0}) {
       MeasuredShot shot;
@@ -49,7 +43,6 @@ CalibrationJob steel_into_gel() {
       shot.depth = 25 * shot.radius;  // about: the design is filled around it
       job.shots.push_back(shot);
     }
-  job.readings = {{.name = "free", .held = {}}};
   job.training = {.coarse = mesh, .fine = mesh, .verify = mesh, .initial = 200, .batch = 40, .most = 320, .seed = 1};
   return job;
 }

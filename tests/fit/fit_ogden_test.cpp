@@ -1,4 +1,4 @@
-#include "percal/fit/fit_ogden.hpp"
+#include "percal/fit/fit_curves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -61,9 +61,8 @@ void add_targets(const CalibrationJob& job, int reading, const JobModel& model, 
       const MaterialAt material = material_at(job, read, shot.material, natural);
       const double scatter = fit.best().scatter[shot.group];
       const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
-      targets.push_back(
-          {static_cast<int>(i), shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
-      places.push_back({static_cast<int>(i), shot_problem(job, read, shot, material, job.training.coarse),
+      targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
+      places.push_back({shot_problem(job, read, shot, material, job.training.coarse),
                         shot_problem(job, read, shot, material, job.training.fine)});
     }
   }

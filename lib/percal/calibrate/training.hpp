@@ -28,15 +28,13 @@ class Training {
   // the measured one.
   void fill_space();
 
-  // One more batch. `targets`: depths that have to be known, by shot and material numbers; `weights`: 1/(variance of their data).
+  // One more batch. `targets`: depths that have to be known; weight: 1/(variance of their data).
   struct Target {
-    int shot = 0;
     SphereInputs at{};
     double weight = 1;
   };
   // The candidates are runs at the targets' own inputs, on the coarse and the fine mesh.
   struct Place {
-    int shot = 0;
     Problem coarse, fine;
   };
   void add_round(const std::vector<Target>& targets, const std::vector<Place>& places);

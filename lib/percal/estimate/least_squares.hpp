@@ -75,7 +75,6 @@ struct Minimum {
 struct SearchOptions {
   int global_evaluations = 4000;  // of NLopt, spread over the box
   int starts = 8;                 // of Ceres: the best separate points of the global search
-  unsigned seed = 20090401;       // of what is drawn; the search itself draws nothing
   int scatter_rounds = 20;        // fixed-point rounds for scatter and model covariance
 };
 

@@ -6,6 +6,7 @@
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/csv.hpp"
 #include "percal/text/csv_header.hpp"
+#include "percal/text/job_table.hpp"
 #include "percal/text/toml.hpp"
 #include "percal/units/words.hpp"
 
@@ -15,33 +16,6 @@ namespace {
 const Range length = positive("length"), density = positive("density"), speed = positive("speed"),
             pressure = positive("pressure");
 const Range strain = positive("strain"), factor = positive("factor");
-
-CsvTable table_of(const TomlTable& block, const std::string& key = "file") {
-  CsvTable table = read_csv(block.path(key));
-  if (block.has("where")) table = table.where(block.texts("where"));
-  if (table.rows.empty()) block.refuse("where", "no row of " + table.file, "conditions that some row meets");
-  return table;
-}
-
-// The number of a column named in the job.
-int column_index(const TomlTable& block, const std::string& key, const CsvTable& table) {
-  const std::string name = block.text(key);
-  const auto index = table.find(name);
-  if (!index) block.refuse(key, in_quotes(name), "a column of " + table.file);
-  return *index;
-}
-
-// A column named in the job, as numbers within a range.
-std::vector<double> column(const TomlTable& block, const std::string& key, const CsvTable& table,
-                           const Dimension& dimension, const Range& range = positive()) {
-  const int index = column_index(block, key, table);
-  auto values = table.numbers(index, dimension);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!contains(range, values[i]))
-      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index],
-                     words_of(range));
-  return values;
-}
 
 ParticleScene read_sphere(const TomlTable& block) {
   return {.name = block.text("particle"),
@@ -61,12 +35,13 @@ ModelMaterial read_gelatin(const TomlTable& block) {
   const TomlTable rows = block.table("formulations");
   const CsvTable table = table_of(rows);
   gelatin.table = rows.text("name", gelatin.name + " formulations");
-  const auto concentration = column(rows, "concentration", table, dimension::none);
-  const auto quasi_static = column(rows, "mu_quasi_static", table, dimension::pressure);
-  const auto penetration = column(rows, "penetration", table, dimension::length);
+  const auto concentration = column_of(rows, "concentration", table, dimension::none);
+  const auto quasi_static = column_of(rows, "mu_quasi_static", table, dimension::pressure);
+  const auto penetration = column_of(rows, "penetration", table, dimension::length);
   std::vector<double> high_rate, deviation;
-  if (rows.has("mu_high_rate")) high_rate = column(rows, "mu_high_rate", table, dimension::pressure);
-  if (rows.has("penetration_sd")) deviation = column(rows, "penetration_sd", table, dimension::length, not_negative());
+  if (rows.has("mu_high_rate")) high_rate = column_of(rows, "mu_high_rate", table, dimension::pressure);
+  if (rows.has("penetration_sd"))
+    deviation = column_of(rows, "penetration_sd", table, dimension::length, not_negative());
   for (std::size_t i = 0; i < concentration.size(); ++i) {
     Formulation f{.concentration = concentration[i],
                   .mu_quasi_static = quasi_static[i],
@@ -125,10 +100,10 @@ AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
   const TomlTable target = block.table("target");
   const CsvTable table = table_of(target);
   scan.target_name = target.text("name", table.file);
-  const auto mu = column(target, "mu", table, dimension::pressure);
-  const auto strains = column(target, "erosion_strain", table, dimension::none);
+  const auto mu = column_of(target, "mu", table, dimension::pressure);
+  const auto strains = column_of(target, "erosion_strain", table, dimension::none);
   std::vector<double> mu_model;
-  if (target.has("mu_model")) mu_model = column(target, "mu_model", table, dimension::pressure);
+  if (target.has("mu_model")) mu_model = column_of(target, "mu_model", table, dimension::pressure);
   for (std::size_t i = 0; i < mu.size(); ++i) {
     scan.target.push_back({.mu = mu[i], .erosion_strain = strains[i], .mu_model = {}});
     if (!mu_model.empty()) scan.target.back().mu_model = mu_model[i];
@@ -140,13 +115,13 @@ AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
 std::vector<PredictedShot> read_shots_to_predict(const TomlTable& block, const CsvTable& table) {
   const auto n = table.rows.size();
   std::vector<PredictedShot> shots(n);
-  const auto lengths = [&](const std::string& key) { return column(block, key, table, dimension::length); };
+  const auto lengths = [&](const std::string& key) { return column_of(block, key, table, dimension::length); };
   const bool by_diameter = block.has("diameter_column");
   const auto size = lengths(by_diameter ? "diameter_column" : "radius_column");
-  const auto speeds = column(block, "speed_column", table, dimension::speed);
+  const auto speeds = column_of(block, "speed_column", table, dimension::speed);
   const std::vector<double> densities =
       block.has("particle_density_column")
-          ? column(block, "particle_density_column", table, dimension::density)
+          ? column_of(block, "particle_density_column", table, dimension::density)
           : std::vector<double>(n, block.quantity("particle_density", dimension::density, density));
   const std::vector<std::string> names = block.has("particle_column")
                                              ? table.texts(block.text("particle_column"))

@@ -6,7 +6,9 @@ namespace percal {
 
 CsvTable table_of(const TomlTable& block, const std::string& key) {
   CsvTable table = read_csv(block.path(key));
-  return block.has("where") ? table.where(block.texts("where")) : table;
+  if (block.has("where")) table = table.where(block.texts("where"));
+  if (table.rows.empty()) block.refuse("where", "no row of " + table.file, "conditions that some row meets");
+  return table;
 }
 
 int column_index(const TomlTable& block, const std::string& key, const CsvTable& table) {

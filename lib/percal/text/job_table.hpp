@@ -8,7 +8,7 @@
 
 namespace percal {
 
-// The table of the key, cut down by the conditions of the block's `where`.
+// The table of the key, cut down by the conditions of the block's `where`. Throws BadInput where no row is left.
 CsvTable table_of(const TomlTable& block, const std::string& key = "file");
 
 // The number of the column that the key names. Throws BadInput with the key's place.
