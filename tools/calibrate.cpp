@@ -6,13 +6,13 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "gnuplot.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/plots.hpp"
 #include "percal/calibrate/result_json.hpp"
 #include "percal/calibrate/result_text.hpp"
 #include "percal/impact/kernel.hpp"
+#include "percal/plot/gnuplot.hpp"
 #include "percal/text/file.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/words.hpp"

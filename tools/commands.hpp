@@ -72,9 +72,21 @@ struct StudyArguments {
 };
 
 struct CardArguments {
-  std::string result;
-  std::string solver;  // lsdyna, abaqus, calculix
+  std::string result;  // of write
+  std::string card;    // of read and check
+  std::string solver;  // of Solver, or csv
   std::string units = "si";
+  std::string file;  // where to write; empty: standard output
+};
+
+struct ReportArguments {
+  std::vector<std::string> results;  // one, or two to compare
+  std::string file;                  // page; empty: report.html beside the first result
+  std::string plots;                 // folder for the figures; empty: none
+};
+
+struct NewArguments {
+  std::string kind;
   std::string file;  // where to write; empty: standard output
 };
 
@@ -86,6 +98,10 @@ Exit run_identify(const IdentifyArguments&, const Common&);
 Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
+Exit run_card_read(const CardArguments&, const Common&);
+Exit run_card_check(const CardArguments&, const Common&);
+Exit run_report(const ReportArguments&, const Common&);
+Exit run_new(const NewArguments&, const Common&);
 
 // NAME.out beside the job NAME.toml, or what --out says.
 std::string out_folder(const std::string& job, const Common&);

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "gnuplot.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
 #include "percal/impact/kernel.hpp"
+#include "percal/plot/gnuplot.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/advice.hpp"
 #include "percal/study/error_plot.hpp"

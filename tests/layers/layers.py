@@ -8,6 +8,7 @@ MAY_SEE = {
     "math": ["base"],
     "units": ["base"],
     "text": ["base", "units"],
+    "plot": ["base", "text"],
     "material": ["base", "math", "units"],
     "scaling": ["base", "math", "units", "text", "material"],
     "mesh": ["base", "math"],
@@ -23,7 +24,8 @@ MAY_SEE = {
     "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store", "invert"],
     "study": ["base", "math", "mesh", "scene", "problem", "impact", "observe", "store", "campaign"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign"],
-    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "estimate", "fit", "invert", "card", "campaign"],
+    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot"],
+    "report": ["base", "math", "units", "text", "material", "scaling", "plot"],
 }
 
 

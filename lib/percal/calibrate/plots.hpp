@@ -4,15 +4,9 @@
 #include <vector>
 
 #include "percal/calibrate/result.hpp"
+#include "percal/plot/chart.hpp"
 
 namespace percal {
-
-// To be kept as NAME.csv and NAME.svg; gnuplot prints the SVG of `script` on standard output.
-struct Plot {
-  std::string name;
-  std::string csv;
-  std::string script;
-};
 
 // "ridge_PARAMETER" for each modulus that has a ridge, its level sets in all readings with the best points and the
 // published ones; "depths_N", depths measured against model's, for each reading (from 1); "error_vs_time", the

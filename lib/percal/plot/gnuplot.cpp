@@ -1,4 +1,4 @@
-#include "gnuplot.hpp"
+#include "percal/plot/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -10,7 +10,7 @@
 
 extern char** environ;
 
-namespace percal::tools {
+namespace percal {
 namespace {
 
 constexpr std::size_t largest_script = 60000;  // a pipe holds 64 KiB: it takes the whole script before anybody reads
@@ -77,4 +77,4 @@ std::optional<std::string> gnuplot(const std::string& script) {
   return done ? std::optional(text) : std::nullopt;
 }
 
-}  // namespace percal::tools
+}  // namespace percal
