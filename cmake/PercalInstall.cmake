@@ -17,6 +17,22 @@ install(DIRECTORY lib/percal DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCH
 install(DIRECTORY data DESTINATION ${CMAKE_INSTALL_DATADIR}/percal
         PATTERN "*.out" EXCLUDE PATTERN "*.store*" EXCLUDE)
 
+# Manual pages and completion scripts, written by the program itself; a program for another machine cannot be run here.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(described ${PROJECT_BINARY_DIR}/described)
+  add_custom_command(OUTPUT ${described}/man1/percal.1 ${described}/percal ${described}/_percal
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${described}/man1
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${described}/man1
+    COMMAND percal_program man --all ${described}/man1
+    COMMAND percal_program completion bash > ${described}/percal
+    COMMAND percal_program completion zsh > ${described}/_percal
+    DEPENDS percal_program COMMENT "Manual pages and completion" VERBATIM)
+  add_custom_target(percal_described ALL DEPENDS ${described}/man1/percal.1)
+  install(DIRECTORY ${described}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+  install(FILES ${described}/percal DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${described}/_percal DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+endif()
+
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/percalConfig.cmake.in
                               ${CMAKE_CURRENT_BINARY_DIR}/percalConfig.cmake
                               INSTALL_DESTINATION ${PERCAL_PACKAGE_DIR} PATH_VARS CMAKE_INSTALL_DATADIR)

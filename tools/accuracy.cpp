@@ -73,7 +73,7 @@ AccuracyChoice choose_setting(const Scene& scene, double target, Store& store, c
     return run_ladder(scene, options, campaign, &progress);
   }();
   if (!kept) keep_ladder(store, key, ladder.options);
-  const Advice advice = advise(ladder, error_vs_time(ladder), target);
+  const AdvisedSetting advice = advise(ladder, error_vs_time(ladder), target);
   if (talk && !kept) fmt::print("the study took {:.1f} s of processor time and is kept\n", campaign.cost().cpu_seconds);
   return {advice, ladder.options, kept.has_value(), campaign.cost()};
 }

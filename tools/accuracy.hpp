@@ -13,7 +13,7 @@ namespace percal::tools {
 double parse_accuracy(const std::string& text);
 
 struct AccuracyChoice {
-  Advice advice;
+  AdvisedSetting advice;
   LadderOptions ladder;
   bool study_was_kept = false;  // else it was run for this
   CampaignCost study_cost;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "colour.hpp"
 #include "commands.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/calibrate/calibration.hpp"
@@ -54,7 +55,7 @@ void print(const CalibrationJob& job, const CalibrationResult& result, ShotTable
   if (result.readings.size() > 1) print(readings_side_by_side(job, result));
   if (result.dehn) print(dehn_table(job, *result.dehn));
   for (const TextTable& table : emulator_tables(result)) print(table);
-  for (const std::string& finding : result.findings) fmt::print("note: {}\n", finding);
+  for (const std::string& finding : result.findings) fmt::print("{} {}\n", yellow("note:"), finding);
   for (const std::string& sentence : cost_sentences(result.cost)) fmt::print("{}\n", sentence);
 }
 

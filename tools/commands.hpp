@@ -47,6 +47,8 @@ struct ImpactArguments {
   std::optional<int> replicates;
   std::optional<std::string> arithmetic;
   std::string history;   // CSV file; empty: as the scene says
+  std::string fields;    // every=...; empty: none
+  std::string picture;   // PNG, SVG or PDF file; empty: none
   std::string accuracy;  // "2%" or "0.02"; empty: mesh and replicates as the scene says
 };
 
@@ -75,8 +77,18 @@ struct CardArguments {
   std::string result;  // of write
   std::string card;    // of read and check
   std::string solver;  // of Solver, or csv
-  std::string units = "si";
+  std::string units;   // empty: si to write, the card's own to read
   std::string file;  // where to write; empty: standard output
+  std::string deck;  // uniaxial; empty: the card alone
+  double stretch = 2;
+  int increments = 20;
+  std::string name;     // of the card to take, or of the card of a fit
+  std::string density;  // with its unit
+  std::optional<double> bulk_to_shear, nu;
+  std::string mode = "uniaxial";  // of a curve
+  std::string range;              // LOW:HIGH of its stretches; empty: 0.5:2, in shear 0:1
+  int points = 31;
+  std::string csv;  // of check: file for the curve
 };
 
 struct ReportArguments {
@@ -85,10 +97,30 @@ struct ReportArguments {
   std::string plots;                 // folder for the figures; empty: none
 };
 
+struct StoreArguments {
+  std::vector<std::string> sources;  // of merge
+};
+
 struct NewArguments {
   std::string kind;
   std::string file;  // where to write; empty: standard output
 };
+
+struct KeysArguments {
+  std::string kind = "scene";
+  bool markdown = false;
+};
+
+struct CompletionArguments {
+  std::string shell;
+};
+
+struct ManArguments {
+  std::vector<std::string> words;  // of the command
+  std::string folder;              // for all pages; empty: one on standard output
+};
+
+struct DescribedCommand;
 
 Exit run_fit(const FitArguments&, const Common&);
 Exit run_rate_factor(const FitArguments&, const Common&);
@@ -98,10 +130,15 @@ Exit run_identify(const IdentifyArguments&, const Common&);
 Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
+Exit run_card_deck(const CardArguments&, const Common&);
 Exit run_card_read(const CardArguments&, const Common&);
 Exit run_card_check(const CardArguments&, const Common&);
+Exit run_store_merge(const StoreArguments&, const Common&);
 Exit run_report(const ReportArguments&, const Common&);
 Exit run_new(const NewArguments&, const Common&);
+Exit run_keys(const KeysArguments&, const Common&);
+Exit run_completion(const CompletionArguments&, const DescribedCommand& program);
+Exit run_man(const ManArguments&, const DescribedCommand& program);
 
 // NAME.out beside the job NAME.toml, or what --out says.
 std::string out_folder(const std::string& job, const Common&);

@@ -97,6 +97,7 @@ Exit run_fit(const FitArguments& arguments, const Common& common) {
     uncertainty = uncertainty_of(data, fit, {.level = arguments.level, .bootstrap = arguments.bootstrap});
   json result = fit_head(arguments);
   result.update(to_json(fit, data, stretches));
+  result["data"] = points_of_tests(data, fit.tests);
   result["uncertainty"] = arguments.intervals ? to_json(uncertainty) : json(nullptr);
   if (arguments.compare) result["comparison"] = to_json(models, stretches);
   result["cost"] = clock.cost();

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "percal/base/version.hpp"
@@ -35,7 +36,41 @@ json input_of(const FitArguments& arguments) {
           {"rate_column", arguments.rate_column}};
 }
 
+json empty_list(const std::string& name, Deformation deformation) {
+  return {{"name", name},           {"deformation", word(deformation)}, {"amount", json::array()},
+          {"across", json::array()}, {"stress_Pa", json::array()},       {"error_Pa", json::array()}};
+}
+
+void add_point(json& list, const StressPoint& point) {
+  const bool biaxial = point.strained.deformation == Deformation::biaxial;
+  list["amount"].push_back(point.strained.amount);
+  list["across"].push_back(biaxial ? json(point.strained.across) : json(nullptr));
+  list["stress_Pa"].push_back(point.nominal_stress);
+  list["error_Pa"].push_back(point.standard_error ? json(*point.standard_error) : json(nullptr));
+}
+
 }  // namespace
+
+json points_of_tests(const CurveData& data, const std::vector<CurveTest>& tests) {
+  json lists = json::array();
+  for (const CurveTest& test : tests) {
+    lists.push_back(empty_list(test.name, test.deformation));
+    for (const StressPoint& point : data.points)
+      if (belongs(point, data, test)) add_point(lists.back(), point);
+  }
+  return lists;
+}
+
+json points_of_curve(const std::string& name, const CurveData& data) {
+  std::map<Deformation, json> of;
+  for (const StressPoint& point : data.points) {
+    const Deformation deformation = point.strained.deformation;
+    add_point(of.try_emplace(deformation, empty_list(name, deformation)).first->second, point);
+  }
+  json lists = json::array();
+  for (const auto& [deformation, list] : of) lists.push_back(list);
+  return lists;
+}
 
 json Clock::cost() const {
   const std::chrono::duration<double> wall_s = std::chrono::steady_clock::now() - wall;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "percal/fit/curve_problem.hpp"
 
 namespace percal::tools {
 
@@ -20,6 +21,13 @@ void put(const std::string& text);
 
 // Schema, version, command and input.
 nlohmann::json fit_head(const FitArguments& arguments);
+
+// The points of each test: its `name` and `deformation`, lists of `amount` (stretch; gamma in shear), `across` (of general
+// biaxial points, else null), `stress_Pa` (nominal) and `error_Pa` (null where the file gives none).
+nlohmann::json points_of_tests(const CurveData& data, const std::vector<CurveTest>& tests);
+
+// The same of one curve, a list for each deformation in it; `name` is "low rate".
+nlohmann::json points_of_curve(const std::string& name, const CurveData& data);
 
 // JSON for people and programs; text of the user that is not UTF-8 shows as replacement characters.
 std::string written(const nlohmann::json& result);

@@ -110,6 +110,8 @@ Exit run_rate_factor(const FitArguments& arguments, const Common& common) {
   if (!common.out.empty()) ensure_writable_folder(common.out);
   const RateFactor rate = fit_rate_factor(pair.slow, pair.fast, residual_of(arguments), arguments.level);
   result.update(to_json(rate));
+  result["data"] = points_of_curve("low rate", pair.slow);
+  for (const json& list : points_of_curve("high rate", pair.fast)) result["data"].push_back(list);
   result["cost"] = clock.cost();
   deliver(result, common);
   if (!common.json && !common.quiet) put(as_text(rate, pair));

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "colour.hpp"
 #include "commands.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/campaign/campaign.hpp"
@@ -76,7 +77,7 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   if (found.card) write_cards(*found.card, folder);
   if (common.json) fmt::print("{}", result);
   if (talk) {
-    for (const auto& finding : found.findings) fmt::print("note: {}\n", finding);
+    for (const auto& finding : found.findings) fmt::print("{} {}\n", yellow("note:"), finding);
     fmt::print("\n{} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all on {} threads. Results: {}\n",
                cost.runs, cost.reused, cost.cpu_seconds, wall, campaign.threads(), folder);
   }

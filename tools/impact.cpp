@@ -2,11 +2,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "accuracy.hpp"
+#include "colour.hpp"
 #include "commands.hpp"
+#include "impact_views.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
 #include "percal/campaign/campaign.hpp"
@@ -34,25 +35,15 @@ Scene scene_with_options(const ImpactArguments& arguments) {
   return scene;
 }
 
-// Found out before anything is computed. A pipe or a device is written to as it stands.
-void ensure_writable(const std::string& file) {
-  const std::filesystem::path path(file);
-  std::error_code no_matter;
-  const auto status = std::filesystem::status(path, no_matter);
-  if (std::filesystem::is_directory(status)) throw IoFailure(file + ": is a folder, not a file");
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
-  ensure_writable_folder(path.has_parent_path() ? path.parent_path().string() : ".");
-}
-
-// The first replicate keeps the history; the others, which are for the scatter, don't.
-std::vector<Evaluation> evaluate(Campaign& campaign, const Problem& problem, int replicates) {
+// The first replicate keeps the history and is looked at; the others, which are for the scatter, aren't.
+std::vector<Evaluation> evaluate(Campaign& campaign, const Problem& problem, int replicates, FrameObserver* observer) {
   Progress progress("impact", replicates);
   std::vector<Problem> problems(replicates, problem);
   for (int k = 0; k < replicates; ++k) {
     problems[k].speed_factor = replicate_speed_factor(k);
     if (k > 0) problems[k].history = NoHistory{};
   }
-  return campaign.evaluate(problems, &progress);
+  return campaign.evaluate(problems, &progress, observer);
 }
 
 Json optional_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
@@ -66,6 +57,7 @@ struct Findings {
   double wall_seconds;
   CampaignCost cost;
   const std::optional<AccuracyChoice>& accuracy;
+  const ImpactViews& views;
 };
 
 Json to_json(const Findings& f) {
@@ -88,6 +80,7 @@ Json to_json(const Findings& f) {
                     {"reused", f.runs[k].reused}});
   }
   const auto& first = f.runs.front().result;
+  const auto& series = f.views.series();
   return {{"schema", result_schema},
           {"percal", version()},
           {"command", "impact"},
@@ -108,6 +101,9 @@ Json to_json(const Findings& f) {
           {"element_steps", first.element_steps},
           {"energy", energy_to_json(f.penetration.energy)},
           {"energy_worst_closure", f.penetration.worst_closure},
+          {"history", first.history.empty() ? Json(nullptr) : history_to_json(first.history, f.reduction.scales)},
+          {"fields", series ? Json{{"list", series->list()}, {"frames", series->frames()}} : Json(nullptr)},
+          {"picture", f.views.picture().empty() ? Json(nullptr) : Json(f.views.picture())},
           {"runs", runs},
           {"wall_s", f.wall_seconds},
           {"cpu_s", f.cost.cpu_seconds},
@@ -162,7 +158,9 @@ void print(const Findings& f) {
   const auto length = [](double metres) { return format_quantity(metres, dimension::length); };
   const auto& p = f.penetration;
   const auto& first = f.runs.front().result;
-  fmt::print("{} into {}: {}", f.scene.particle.name, f.scene.target.name, word(p.outcome));
+  const bool reached = p.outcome == Outcome::stopped || p.outcome == Outcome::passed_through;
+  fmt::print("{} into {}: {}", f.scene.particle.name, f.scene.target.name,
+             reached ? green(word(p.outcome)) : red(word(p.outcome)));
   if (p.depth) fmt::print(", depth {}", length(*p.depth));
   if (p.spread)
     fmt::print(" (spread of {} runs {}, standard error {})", f.runs.size(), length(*p.spread),
@@ -185,7 +183,15 @@ void print(const Findings& f) {
   for (const auto& omission : f.reduction.left_out) fmt::print("    {}: {}\n", omission.what, omission.why);
   fmt::print("  {} runs, {} from the store, {:.2f} s of processor time, {:.2f} s in all, {}\n", f.cost.runs,
              f.cost.reused, f.cost.cpu_seconds, f.wall_seconds, f.runs.front().instruction_level);
-  for (const auto& warning : f.warnings) fmt::print("  warning: {}\n", warning);
+  if (const auto& series = f.views.series())
+    fmt::print("  {} frames of the first run: {}\n", series->frames(), series->list());
+  for (const auto& warning : f.warnings) fmt::print("  {} {}\n", yellow("warning:"), warning);
+}
+
+// Of the run that is shown.
+std::string picture_title(const Scene& scene, const Reduction& reduction, const ImpactResult& run) {
+  return fmt::format("{} into {}: {}, depth {}", scene.particle.name, scene.target.name, word(run.outcome),
+                     format_quantity(run.depth * reduction.scales.radius, dimension::length));
 }
 
 }  // namespace
@@ -196,6 +202,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   Reduction reduction = reduce(scene);
   std::optional<double> target;
   if (!arguments.accuracy.empty()) target = parse_accuracy(arguments.accuracy);
+  check_views(arguments);
   if (common.check) {
     if (common.json)
       fmt::print("{}\n", Json{{"command", "impact"}, {"scene", arguments.scene}, {"valid", true}}.dump());
@@ -205,6 +212,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   }
   if (!common.out.empty()) ensure_writable_folder(common.out);
   if (!arguments.history.empty()) ensure_writable(arguments.history);
+  ensure_views_can_be_made(arguments);
   Store store(common.store.empty() ? default_store_path() : common.store);
   std::optional<AccuracyChoice> accuracy;
   if (target) {
@@ -214,12 +222,13 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
     reduction = reduce(scene);
   }
   Campaign campaign(&store, common.threads);
-  const auto runs = evaluate(campaign, reduction.problem, scene.replicates);
+  ImpactViews views(arguments, common, reduction);
+  const auto runs = evaluate(campaign, reduction.problem, scene.replicates, views.observer());
   const Penetration penetration = summarise(runs, reduction.problem, reduction.scales);
   auto notes = warnings(penetration, runs, reduction.problem);
   notes.insert(notes.begin(), reduction.warnings.begin(), reduction.warnings.end());
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost(), accuracy};
+  const Findings findings{scene, reduction, runs, penetration, notes, wall, campaign.cost(), accuracy, views};
   if (!arguments.history.empty())
     write_file(arguments.history, history_csv(runs.front().result.history, reduction.scales));
   const std::string result =
@@ -233,6 +242,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
     fmt::print("{}", result);
   else if (!common.quiet)
     print(findings);
+  views.draw(picture_title(scene, reduction, runs.front().result));
   const bool reached = penetration.outcome == Outcome::stopped || penetration.outcome == Outcome::passed_through;
   return reached ? Exit::done : Exit::outcome_not_reached;
 }

@@ -15,6 +15,9 @@ struct Command {
   bool runs_impacts = false;  // may be interrupted and resumed
 };
 
+// What the values of options are called in help and completion: FILE, FOLDER and so on; for all commands at once.
+void name_values(CLI::App& app);
+
 // --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
 void add_common(CLI::App& command, Common& common, bool runs_impacts);
 
@@ -25,7 +28,11 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
 void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector<Command>& commands);
 void add_identify(CLI::App& app, IdentifyArguments& identify, Common& common, std::vector<Command>& commands);
 void add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common, std::vector<Command>& commands);
+void add_store(CLI::App& app, StoreArguments& store, Common& common, std::vector<Command>& commands);
 void add_report(CLI::App& app, ReportArguments& report, Common& common, std::vector<Command>& commands);
 void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Command>& commands);
+void add_keys(CLI::App& app, KeysArguments& keys, Common& common, std::vector<Command>& commands);
+void add_completion(CLI::App& app, CompletionArguments& completion, std::vector<Command>& commands);
+void add_man(CLI::App& app, ManArguments& man, std::vector<Command>& commands);
 
 }  // namespace percal::tools

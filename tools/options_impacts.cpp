@@ -26,6 +26,10 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
   command->add_option("--arithmetic", impact.arithmetic, "single or double")
       ->check(CLI::IsMember({"single", "double"}));
   command->add_option("--history", impact.history, "write the penetration history to this CSV file");
+  command->add_option("--fields", impact.fields,
+                      "write fields of the first run for ParaView, as every=0.5us, every=10um (of depth), every=2% (of the "
+                      "target's depth) or every=200 (steps), to fields/ in the folder for results");
+  command->add_option("--picture", impact.picture, "draw the first run's last state to this PNG, SVG or PDF file");
   command
       ->add_option(
           "--accuracy", impact.accuracy,

@@ -1,4 +1,4 @@
-// Options of the commands that run no impact: fit, scale, card, report, new.
+// Options of the commands that run no impact: fit, scale, card, store, report, new.
 #include "options.hpp"
 
 namespace percal::tools {
@@ -64,30 +64,60 @@ namespace {
 
 void add_card_write(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
   auto* command = card_command.add_subcommand("write", "write the card of a result");
-  command->add_option("result", card.result, "result.json of identify")->required();
+  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or of card read --json")->required();
   command
       ->add_option("--solver", card.solver, "lsdyna, abaqus, calculix, openradioss, febio, ansys, or csv for a table")
       ->required()
       ->check(CLI::IsMember({"lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys", "csv"}));
   command->add_option("--units", card.units, "unit system of the card: si, mm-t-s-MPa, mm-ms-kg-GPa, um-us-ng-MPa");
   command->add_option("--file", card.file, "file to write (default: standard output)");
+  command->add_option("--card,--name", card.name, "which card of a calibration; the name of a fit's card");
+  command->add_option("--density", card.density, "density, such as \"1010 kg/m3\"; a fit does not know it");
+  auto* ratio = command->add_option("--bulk-to-shear", card.bulk_to_shear, "K/mu; a fit does not know it");
+  command->add_option("--nu", card.nu, "Poisson's ratio instead")->excludes(ratio);
+  command->add_option("--mode", card.mode, "with csv: uniaxial (default), equibiaxial, planar or shear");
+  command->add_option("--range", card.range, "with csv: stretches LOW:HIGH (default: 0.5:2)");
+  command->add_option("--points", card.points, "with csv: rows (default: 31)");
+  auto* deck = command->add_option("--deck", card.deck, "the card in a single-element test ready to run: uniaxial")
+                   ->check(CLI::IsMember({"uniaxial"}));
+  command->add_option("--stretch", card.stretch, "with --deck: stretch at the end (default: 2)")->needs(deck);
+  command->add_option("--increments", card.increments, "with --deck: equal steps to it (default: 20)")->needs(deck);
+  command->add_flag("--check", common.check, "read and convert, write nothing");
   command->add_flag("--quiet", common.quiet, "print nothing but errors");
-  command->footer("Example: percal card write skin.out/result.json --solver lsdyna --units mm-ms-kg-GPa");
-  commands.push_back({command, [&] { return run_card_write(card, common); }});
+  command->footer(
+      "Examples: percal card write skin.out/result.json --solver lsdyna --units mm-ms-kg-GPa\n"
+      "          percal card write gel.out/result.json --solver febio --density \"1010 kg/m3\" --nu 0.495\n"
+      "          percal card write skin.out/result.json --solver calculix --units mm-t-s-MPa --deck uniaxial "
+      "--file skin.inp");
+  commands.push_back(
+      {command, [&] { return card.deck.empty() ? run_card_write(card, common) : run_card_deck(card, common); }});
+}
+
+void add_card_source(CLI::App& command, CardArguments& card) {
+  command.add_option("card", card.card, "a card of one of the six programs, or a result of percal")->required();
+  command.add_option("--solver", card.solver, "the program (default: found by its keywords)")
+      ->check(CLI::IsMember({"lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"}));
+  command.add_option("--units", card.units, "units of its numbers (default: as the comment of a percal card says)");
+  command.add_option("--name", card.name, "which of several materials");
 }
 
 void add_card_read(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
   auto* command = card_command.add_subcommand("read", "the material that a card means, in percal's convention");
-  command->add_option("card", card.card, "a card of one of the six programs")->required();
-  command->add_flag("--json", common.json, "print the card object of a result file");
+  add_card_source(*command, card);
+  command->add_flag("--json", common.json, "print the card object, which card write takes");
   command->footer("Example: percal card read skin.k");
   commands.push_back({command, [&] { return run_card_read(card, common); }});
 }
 
 void add_card_check(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
   auto* command = card_command.add_subcommand("check", "the stress-stretch curve that a card means");
-  command->add_option("card", card.card, "a card of one of the six programs")->required();
-  command->footer("Example: percal card check skin.k");
+  add_card_source(*command, card);
+  command->add_option("--mode", card.mode, "uniaxial (default), equibiaxial, planar or shear");
+  command->add_option("--stretch", card.range, "stretches LOW:HIGH (default: 0.5:2; in shear 0:1)");
+  command->add_option("--points", card.points, "points of the curve (default: 31)");
+  command->add_option("--csv", card.csv, "write the curve to this file, for percal fit and for tables");
+  command->add_flag("--json", common.json, "print the card object and the curve");
+  command->footer("Example: percal card check skin.k --mode equibiaxial --stretch 0.8:1.5");
   commands.push_back({command, [&] { return run_card_check(card, common); }});
 }
 
@@ -101,6 +131,17 @@ void add_card(CLI::App& app, CardArguments& card, Common& common, std::vector<Co
   add_card_check(*command, card, common, commands);
 }
 
+void add_store(CLI::App& app, StoreArguments& store, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("store", "the store of finished evaluations");
+  command->require_subcommand(1);
+  auto* merge = command->add_subcommand("merge", "take the evaluations of other stores into one");
+  merge->add_option("sources", store.sources, "stores to read; they stay as they are")->required();
+  merge->add_option("--store", common.store, "store to write (default: percal.store in the user's cache folder)");
+  merge->add_flag("--quiet", common.quiet, "print nothing but errors");
+  merge->footer("Example: percal store merge task*.store --store all.store");
+  commands.push_back({merge, [&] { return run_store_merge(store, common); }});
+}
+
 void add_report(CLI::App& app, ReportArguments& report, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("report", "a result as one HTML page; two results side by side");
   command->add_option("results", report.results, "result.json of a command, or two of the same command")
@@ -108,20 +149,10 @@ void add_report(CLI::App& app, ReportArguments& report, Common& common, std::vec
       ->expected(1, 2);
   command->add_option("-o,--file", report.file, "page to write (default: report.html beside the result)");
   command->add_option("--plots", report.plots, "folder for every figure as SVG, PNG and CSV (default: none)");
+  command->add_flag("--check", common.check, "read the results, write nothing");
   command->add_flag("--quiet", common.quiet, "print nothing but errors");
   command->footer("Example: percal report skin.out/result.json -o skin.html");
   commands.push_back({command, [&] { return run_report(report, common); }});
-}
-
-void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Command>& commands) {
-  auto* command = app.add_subcommand("new", "a commented template of a scene or a job");
-  command->add_option("kind", start.kind, "scene, scale, identify, calibrate; job is calibrate")
-      ->required()
-      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "job"}));
-  command->add_option("-o,--file", start.file, "file to write (default: standard output)");
-  command->add_flag("--quiet", common.quiet, "print nothing but errors");
-  command->footer("Example: percal new scene -o my.toml");
-  commands.push_back({command, [&] { return run_new(start, common); }});
 }
 
 }  // namespace percal::tools

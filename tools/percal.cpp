@@ -1,6 +1,7 @@
 // The program: reads the command line, runs one command, turns the failures into exit codes. The commands are in files of their own.
 #include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -8,6 +9,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "colour.hpp"
+#include "describe.hpp"
 #include "options.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
@@ -49,6 +52,33 @@ void flush_output() {
     throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
+const CLI::App& deepest_chosen(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : deepest_chosen(*chosen.front());
+}
+
+// "card write " of what was chosen.
+std::string words_below(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? "" : chosen.front()->get_name() + " " + words_below(*chosen.front());
+}
+
+// CLI11 says of an unknown option only that it was not expected, or that something else is missing.
+void refuse_unknown_option(const CLI::App& app) {
+  const CLI::App& command = deepest_chosen(app);
+  std::vector<std::string> known;
+  for (const DescribedOption& option : described(command).options)
+    known.insert(known.end(), option.names.begin(), option.names.end());
+  for (const std::string& word : command.remaining()) {
+    if (word.size() < 2 || word[0] != '-' || (word[1] != '-' && !std::isalpha(static_cast<unsigned char>(word[1]))))
+      continue;
+    const std::string name = word.substr(0, word.find('='));
+    const auto near = nearest_word(name, known);
+    throw BadInput(Place{.file = "", .line = 0, .key = name},
+                   "an unknown option" + (near ? " (did you mean " + *near + "?)" : ""), listed(known));
+  }
+}
+
 // Where a command is unknown CLI11 says only that one is missing.
 void refuse_unknown_command(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -73,8 +103,12 @@ struct Arguments {
   IdentifyArguments identify;
   CalibrateArguments calibrate;
   CardArguments card;
+  StoreArguments store;
   ReportArguments report;
   NewArguments start;
+  KeysArguments keys;
+  CompletionArguments completion;
+  ManArguments man;
 };
 
 std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
@@ -86,8 +120,13 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_identify(app, a.identify, a.common, commands);
   add_calibrate(app, a.calibrate, a.common, commands);
   add_card(app, a.card, a.common, commands);
+  add_store(app, a.store, a.common, commands);
   add_report(app, a.report, a.common, commands);
   add_new(app, a.start, a.common, commands);
+  add_keys(app, a.keys, a.common, commands);
+  add_completion(app, a.completion, commands);
+  add_man(app, a.man, commands);
+  name_values(app);
   return commands;
 }
 
@@ -102,8 +141,13 @@ Exit run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) refuse_unknown_command(app);
-    return app.exit(error) == 0 ? Exit::done : Exit::bad_input;
+    if (error.get_exit_code() == 0) {  // --help, --version
+      app.exit(error);
+      return Exit::done;
+    }
+    refuse_unknown_command(app);
+    refuse_unknown_option(app);
+    throw BadInput(std::string(error.what()) + "; see percal " + words_below(app) + "--help");
   }
   Progress::enable(!arguments.common.quiet);
   for (const Command& command : commands) {
@@ -114,27 +158,32 @@ Exit run(int argc, char** argv) {
   throw std::logic_error("a command that nothing runs");
 }
 
+void say(const std::string& message) {
+  std::fprintf(stderr, "%s %s\n", red("percal:", stderr).c_str(), message.c_str());
+}
+
 }  // namespace
 }  // namespace percal::tools
 
 int main(int argc, char** argv) {
   using percal::Exit;
+  using percal::tools::say;
   std::signal(SIGXFSZ, SIG_IGN);  // a file over its size limit is a failure to write, told as one
   try {
     const Exit exit = percal::tools::run(argc, argv);
     percal::tools::flush_output();
     return static_cast<int>(exit);
   } catch (const percal::BadInput& error) {
-    std::fprintf(stderr, "percal: %s\n", error.what());
+    say(error.what());
     return static_cast<int>(Exit::bad_input);
   } catch (const percal::IoFailure& error) {
-    std::fprintf(stderr, "percal: %s\n", error.what());
+    say(error.what());
     return static_cast<int>(Exit::io_failure);
   } catch (const std::system_error& error) {  // fmt::print on a full disk
-    std::fprintf(stderr, "percal: standard output: %s\n", error.what());
+    say(std::string("standard output: ") + error.what());
     return static_cast<int>(Exit::io_failure);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "percal: internal error: %s\n", error.what());
+    say(std::string("internal error: ") + error.what());
     return 70;
   }
 }

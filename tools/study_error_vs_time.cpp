@@ -29,7 +29,7 @@ struct Findings {
   const Scene& scene;
   const Ladder& ladder;
   const ErrorVsTime& study;
-  std::vector<Advice> advice;
+  std::vector<AdvisedSetting> advice;
   CampaignCost cost;
   double wall_seconds;
 };
@@ -88,7 +88,7 @@ void print_change(const std::string& what, const Change& change) {
     fmt::print("  {} at {} elements per radius: not both stopped, no comparison\n", what, change.elements_per_radius);
 }
 
-void print_advice(const Advice& advice) {
+void print_advice(const AdvisedSetting& advice) {
   const auto bound = [](const std::optional<double>& s) { return s ? seconds(*s) : std::string("no bound"); };
   if (!advice.is_found) {
     fmt::print("  {:>4}: none. {}\n", percent(advice.target), advice.why_not);
@@ -114,7 +114,7 @@ void print(const Findings& f) {
   for (const Change& half : f.study.half_step) print_change("half the time step", half);
   print_change("double precision", f.study.double_precision);
   fmt::print("  cheapest setting for an error of\n");
-  for (const Advice& one : f.advice) print_advice(one);
+  for (const AdvisedSetting& one : f.advice) print_advice(one);
   for (const auto& finding : f.study.findings) fmt::print("  note: {}\n", finding);
   fmt::print("  {} runs, {} from the store, {:.1f} s of processor time, {:.1f} s in all, {}\n", f.cost.runs,
              f.cost.reused, f.cost.cpu_seconds, f.wall_seconds, instruction_level());
@@ -176,7 +176,7 @@ Exit study_error_vs_time(const StudyArguments& arguments, const Common& common) 
   }();
   keep_ladder(store, study_key(scene), ladder.options);
   const ErrorVsTime study = error_vs_time(ladder);
-  std::vector<Advice> advice;
+  std::vector<AdvisedSetting> advice;
   for (const double target : advised_errors) advice.push_back(advise(ladder, study, target));
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Findings findings{scene, ladder, study, advice, campaign.cost(), wall};

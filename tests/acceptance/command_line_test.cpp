@@ -39,7 +39,7 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
       {{"identfy", job},
-       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, identify, calibrate, study, card"},
+       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, identify, calibrate, card"},
       {{"identify"}, "job"},
       {{"identify", job, job}, "skin.toml"},
       {{"impact", scene, "--threads", "-1"}, "--threads"},

@@ -211,6 +211,7 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
     if (!shot.at_least) depth.deviation = 0.1;
     reading.shots.push_back(depth);
   }
+  reading.curves = {{0, {5.2e3, 1.05e4}, {4.8e3, 9.8e3}, {5.6e3, 1.12e4}}};
   reading.sets = {{"balls, fitted", 2, 0.08, -0.02, 2}, {"by hand, predicted", 0, 0, 0, 0}};
   reading.fresh = {{0, 7, 0.0157, "stopped", 0.0155, 0.8}, {1, 7, {}, "passed through", 0.024, 0}};
   reading.fresh_deviation = 0.047;

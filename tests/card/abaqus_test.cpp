@@ -13,6 +13,10 @@ using card_test::skin;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
+CardMaterial read_one(const std::string& text, const std::string& file, const UnitSystem& units) {
+  return only_card(read_abaqus_cards(text, file, units), file).material;
+}
+
 TEST(AbaqusCard, CarriesTheTrueModulusAndTwoOverK) {
   const std::string card = abaqus_card(skin(), unit_system("mm-t-s-MPa"));
   // K = 50 * 63.75 = 3187.5 MPa; 2/K = 6.274509803921568627e-4 per MPa
@@ -23,7 +27,7 @@ TEST(AbaqusCard, CarriesTheTrueModulusAndTwoOverK) {
 
 TEST(AbaqusCard, KeepsTheModulusPositiveForANegativeAlpha) {
   CardMaterial material = skin();
-  material.alpha = -4;
+  material.terms[0].alpha = -4;
   EXPECT_TRUE(line_under(abaqus_card(material, unit_system("si")), "*HYPERELASTIC", 1).starts_with("63750000., -4., "));
 }
 
@@ -35,8 +39,8 @@ TEST(AbaqusCard, SaysThatItHasNoErosionAndWhereElementsShouldGo) {
 
 TEST(AbaqusCard, HasFieldsOfAtMostTwentyCharactersAndComesBack) {
   CardMaterial material = skin();
-  material.mu_true = 1e8 / 3;
-  material.alpha = -20.0 / 7;
+  material.terms[0].mu = 1e8 / 3;
+  material.terms[0].alpha = -20.0 / 7;
   material.bulk_modulus = 1e10 / 7;
   material.density = 1e4 / 9;
   for (const char* name : {"si", "mm-t-s-MPa", "mm-ms-kg-GPa", "um-us-ng-MPa"}) {
@@ -51,10 +55,10 @@ TEST(AbaqusCard, HasFieldsOfAtMostTwentyCharactersAndComesBack) {
       EXPECT_LE(field.size() - (field.starts_with(' ') ? 1 : 0), 20u) << field;
       field.clear();
     }
-    const CardMaterial back = read_abaqus_card(card, "card.inp", units);
+    const CardMaterial back = read_one(card, "card.inp", units);
     // twenty characters hold at least fifteen digits of these numbers
-    EXPECT_NEAR(back.mu_true / material.mu_true, 1, 3e-14) << name;
-    EXPECT_NEAR(back.alpha / material.alpha, 1, 3e-14) << name;
+    EXPECT_NEAR(back.terms[0].mu / material.terms[0].mu, 1, 3e-14) << name;
+    EXPECT_NEAR(back.terms[0].alpha / material.terms[0].alpha, 1, 3e-14) << name;
     EXPECT_NEAR(back.bulk_modulus / material.bulk_modulus, 1, 3e-14) << name;
     EXPECT_NEAR(back.density / material.density, 1, 3e-14) << name;
     EXPECT_FALSE(back.erosion) << name;
@@ -87,7 +91,7 @@ TEST(AbaqusCard, IsNotBrokenByOddComments) {
 
 std::string refusal(const std::string& card) {
   try {
-    read_abaqus_card(card, "card.inp", unit_system("si"));
+    read_one(card, "card.inp", unit_system("si"));
   } catch (const BadInput& error) {
     return error.what();
   }
@@ -97,8 +101,11 @@ std::string refusal(const std::string& card) {
 TEST(AbaqusReader, NamesFileLineAndFieldOfWhatItCannotRead) {
   const std::string start = "*MATERIAL, NAME=X\n*DENSITY\n1000.\n";
   EXPECT_EQ(refusal(start + "*Hyperelastic, Ogden, N=1\n1e6, 3, 1e-8\n"), "");
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=2\n1, 2, 3\n"),
-              AllOf(HasSubstr("card.inp:4"), HasSubstr("N=1")));
+  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=4\n1, 2, 3\n"),
+              AllOf(HasSubstr("card.inp:4"), HasSubstr("N=4")));
+  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=2\n1, 2, 3\n"), HasSubstr("card.inp:5"));
+  EXPECT_THAT(refusal(start + "*HYPERELASTIC, NEO HOOKE\n1, 2\n"), HasSubstr("OGDEN"));
+  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, TEST DATA INPUT\n1, 2\n"), HasSubstr("percal fit"));
   EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2\n"), HasSubstr("card.inp:5"));
   EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2, 0\n"), HasSubstr("D1"));
   EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, b, 1\n"), HasSubstr("alpha"));

@@ -33,8 +33,9 @@ TEST(CardJson, ComesBackAsItWas) {
   const CardMaterial back = card_of_result(json{{"card", card_to_json(skin())}}.dump(), "result.json");
   EXPECT_EQ(back.name, "skin");
   EXPECT_EQ(back.density, 1000);
-  EXPECT_EQ(back.mu_true, 63.75e6);
-  EXPECT_EQ(back.alpha, 8.5);
+  ASSERT_EQ(back.terms.size(), 1u);
+  EXPECT_EQ(back.terms[0].mu, 63.75e6);
+  EXPECT_EQ(back.terms[0].alpha, 8.5);
   EXPECT_EQ(back.bulk_modulus, 50 * 63.75e6);
   ASSERT_TRUE(back.erosion);
   EXPECT_EQ(back.erosion->limit, 0.7);

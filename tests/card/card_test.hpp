@@ -12,8 +12,7 @@ namespace percal::card_test {
 inline CardMaterial skin() {
   return {.name = "skin",
           .density = 1000,
-          .mu_true = 63.75e6,
-          .alpha = 8.5,
+          .terms = {{63.75e6, 8.5}},
           .bulk_modulus = 50 * 63.75e6,
           .erosion = CardErosion{0.7, StrainMeasure::engineering},
           .comments = {"Guha 2009, Table 4-1"}};

@@ -7,6 +7,7 @@
 #include "percal/card/abaqus.hpp"
 #include "percal/card/card_json.hpp"
 #include "percal/card/lsdyna.hpp"
+#include "percal/card/solver.hpp"
 
 namespace percal {
 namespace {
@@ -46,12 +47,66 @@ TEST_F(CardProgram, RefusesBadInputWithExitCodeTwo) {
   const test::Ended units = write_card("result.json --solver lsdyna --units mm-t-s-GPa");
   EXPECT_EQ(units.code, 2);
   EXPECT_THAT(units.err, HasSubstr("units"));
-  EXPECT_EQ(write_card("result.json --solver ansys").code, 2);
+  EXPECT_EQ(write_card("result.json --solver nastran").code, 2);
   write("fit.json", R"({"minima": [{"mu_Pa": 1e6, "alpha": 3}]})");
   const test::Ended fit = write_card("fit.json --solver lsdyna --file fit.k");
   EXPECT_EQ(fit.code, 2);
   EXPECT_THAT(fit.err, AllOf(HasSubstr("fit.json"), HasSubstr("density")));
   EXPECT_FALSE(std::filesystem::exists(path("fit.k")));
+}
+
+TEST_F(CardProgram, ReadsItsOwnCardsAndWritesThemAgain) {
+  for (const std::string& solver : solver_words()) {
+    SCOPED_TRACE(solver);
+    write_card("result.json --solver " + solver + " --units um-ng-us-MPa --file skin." + solver);
+    const test::Ended text = run(test::words_of("card read skin." + solver));
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_THAT(text.out, AllOf(HasSubstr("63.75 MPa"), HasSubstr("15 MPa"), HasSubstr("um-ng-us-MPa")));
+    const test::Ended ended = run(test::words_of("card read --json skin." + solver));
+    write("again.json", ended.out);
+    const test::Ended again = write_card("again.json --solver " + solver + " --units um-ng-us-MPa");
+    EXPECT_EQ(again.code, 0) << again.err;
+  }
+}
+
+TEST_F(CardProgram, AsksForTheUnitsOfAForeignCard) {
+  write("foreign.inp", "*MATERIAL, NAME=X\n*DENSITY\n1e-9\n*HYPERELASTIC, OGDEN, N=1\n63.75, 8.5, 6e-4\n");
+  const test::Ended without = run(test::words_of("card read foreign.inp"));
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("--units"));
+  const test::Ended with = run(test::words_of("card read foreign.inp --units mm-t-s-MPa"));
+  EXPECT_EQ(with.code, 0) << with.err;
+  EXPECT_THAT(with.out, HasSubstr("63.75 MPa"));
+  write("nothing.txt", "density\n");
+  EXPECT_THAT(run(test::words_of("card read nothing.txt --units si")).err, HasSubstr("six programs"));
+}
+
+TEST_F(CardProgram, ChecksWhatACardMeans) {
+  write_card("result.json --solver febio --file skin.feb");
+  const test::Ended ended = run(test::words_of("card check skin.feb --stretch 0.5:1.5 --points 3 --csv curve.csv"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  // 15 MPa (1.5^7.5 - 1.5^-5.25) = 312.10 MPa
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("312.1"), HasSubstr("incompressible"), HasSubstr("Drucker")));
+  EXPECT_THAT(read("curve.csv"), HasSubstr("mode,stretch,nominal_stress [Pa]"));
+  EXPECT_EQ(run(test::words_of("card check skin.feb --stretch 2:1")).code, 2);
+  EXPECT_EQ(run(test::words_of("card check skin.feb --mode twist")).code, 2);
+}
+
+TEST_F(CardProgram, WritesATableThatFitReads) {
+  const test::Ended table = write_card("result.json --solver csv --units mm-t-s-MPa --range 0.6:1.8 --file skin.csv");
+  EXPECT_EQ(table.code, 0) << table.err;
+  const test::Ended fit = run(test::words_of("fit skin.csv --out fit --no-intervals --quiet"));
+  EXPECT_EQ(fit.code, 0) << fit.err;
+  const auto best = result("fit/result.json")["minima"][0];
+  EXPECT_NEAR(best["mu_Pa"].get<double>(), 63.75e6, 63.75);
+  EXPECT_NEAR(best["alpha"].get<double>(), 8.5, 1e-5);
+  std::vector<std::string> words = test::words_of("card write fit/result.json --solver ansys --nu 0.49 --name gel");
+  words.insert(words.end(), {"--density", "1010 kg/m3"});
+  const test::Ended card = run(words);
+  EXPECT_EQ(card.code, 0) << card.err;
+  EXPECT_THAT(card.out, AllOf(HasSubstr("! name: gel"), HasSubstr("SHA-256"), HasSubstr("skin.csv")));
+  words.back() = "1010 kg";
+  EXPECT_EQ(run(words).code, 2);
 }
 
 TEST_F(CardProgram, ReportsWhatCannotBeWrittenWithExitCodeFour) {

@@ -15,7 +15,7 @@ MAY_SEE = {
     "scene": ["base", "math", "units", "text", "material"],
     "problem": ["base", "math", "units", "text", "material", "scaling", "mesh", "scene"],
     "impact": ["base", "math", "material", "mesh", "problem"],
-    "observe": ["base", "text", "problem", "impact"],
+    "observe": ["base", "units", "text", "plot", "problem", "impact"],
     "store": ["base"],
     "estimate": ["base", "math"],
     "fit": ["base", "math", "units", "text", "material", "estimate"],
@@ -42,18 +42,25 @@ def cycle(table):
 
 def violations(root):
     for file in sorted(pathlib.Path(root).rglob("*.[ch]pp")):
-        layer = file.relative_to(root).parts[0]
+        parts = file.relative_to(root).parts
+        layer = parts[0] if len(parts) > 1 else file.stem  # LAYER.hpp includes the headers of its own layer
         if layer not in MAY_SEE:
             yield f"{file}: the table has no layer {layer}"
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):
-            found = re.match(r'\s*#\s*include\s+["<]percal/([a-z_]+)/', line)
-            if found and found[1] != layer and found[1] not in MAY_SEE[layer]:
+            found = re.match(r'\s*#\s*include\s+["<]percal/([a-z_]+)[/.]', line)
+            if found and found[1] != layer and (len(parts) == 1 or found[1] not in MAY_SEE[layer]):
                 yield f"{file}:{number}: {layer} may not include {found[1]}"
 
 
+def without_header(root):
+    for layer in MAY_SEE:
+        if (pathlib.Path(root) / layer).is_dir() and not (pathlib.Path(root) / f"{layer}.hpp").is_file():
+            yield f"{root}: layer {layer} has no {layer}.hpp"
+
+
 def main(root):
-    faults = list(violations(root))
+    faults = list(violations(root)) + list(without_header(root))
     unordered = cycle(MAY_SEE)
     if unordered:
         faults.append("the table has a cycle through " + ", ".join(unordered))

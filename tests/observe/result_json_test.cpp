@@ -114,15 +114,21 @@ TEST(EnergyJson, HasEveryTermAndTheSum) {
   EXPECT_EQ(json.at("contact_dropped"), 1 / 31.0);
 }
 
+constexpr const char* columns =
+    "time_s,tip_m,speed_m_s,force_N,energy_particle,energy_particle_elastic,energy_live_kinetic,energy_freed_mass,"
+    "energy_elastic,energy_hourglass,energy_viscosity,energy_relaxation,energy_eroded,energy_contact,"
+    "energy_contact_dropped,energy_sum";
+
 TEST(HistoryCsv, NamesItsUnitsAndIsInSi) {
-  const std::vector<HistoryPoint> history{{0, 0, 1, 0}, {2, 1.5, 0.5, 0.25}};
+  const std::vector<HistoryPoint> history{{0, 0, 1, 0, {.particle = 1}},
+                                          {2, 1.5, 0.5, 0.25, {.particle = 0.25, .eroded = 0.5}}};
   const Scales scales{.radius = 1e-3, .speed = 100, .target_density = 1200};
   std::istringstream csv(history_csv(history, scales));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "time_s,tip_m,speed_m_s,force_N");
+  EXPECT_EQ(line, columns);
   std::getline(csv, line);
-  EXPECT_EQ(line, "0,0,100,0");
+  EXPECT_EQ(line, "0,0,100,0,1,0,0,0,0,0,0,0,0,0,0,1");
   double time, tip, speed, force;
   char comma;
   csv >> time >> comma >> tip >> comma >> speed >> comma >> force;
@@ -130,9 +136,24 @@ TEST(HistoryCsv, NamesItsUnitsAndIsInSi) {
   EXPECT_NEAR(tip, 1.5e-3, 1e-12);
   EXPECT_NEAR(speed, 50, 1e-7);
   EXPECT_NEAR(force, 0.25 * 2 * std::numbers::pi * 1200 * 1e4 * 1e-6, 1e-7) << "of the whole sphere, not per radian";
+  std::getline(csv, line);
+  EXPECT_EQ(line, ",0.25,0,0,0,0,0,0,0,0.5,0,0,0.75");
 }
 
-TEST(HistoryCsv, WithoutPointsIsOnlyTheHeader) { EXPECT_EQ(history_csv({}, {}), "time_s,tip_m,speed_m_s,force_N\n"); }
+TEST(HistoryJson, HasTheColumnsOfTheCsv) {
+  const std::vector<HistoryPoint> history{{0, 0, 1, 0, {.particle = 1}},
+                                          {2, 1.5, 0.5, 0.25, {.particle = 0.25, .eroded = 0.5}}};
+  const auto json = history_to_json(history, {.radius = 1e-3, .speed = 100, .target_density = 1200});
+  EXPECT_EQ(json.at("tip_m"), (std::vector<double>{0, 1.5e-3}));
+  EXPECT_EQ(json.at("speed_m_s"), (std::vector<double>{100, 50}));
+  EXPECT_NEAR(json.at("time_s")[1], 2e-5, 1e-13);
+  EXPECT_NEAR(json.at("force_N")[1], 0.25 * 2 * std::numbers::pi * 1200 * 1e4 * 1e-6, 1e-7);
+  EXPECT_EQ(json.at("energy").size(), std::size(energy_terms) + 1);
+  EXPECT_EQ(json.at("energy").at("eroded"), (std::vector<double>{0, 0.5}));
+  EXPECT_EQ(json.at("energy").at("sum"), (std::vector<double>{1, 0.75}));
+}
+
+TEST(HistoryCsv, WithoutPointsIsOnlyTheHeader) { EXPECT_EQ(history_csv({}, {}), std::string(columns) + "\n"); }
 
 }  // namespace
 }  // namespace percal

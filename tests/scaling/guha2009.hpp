@@ -60,7 +60,7 @@ inline GelatinLaw gelatin_law_with_free_exponent() {
                          chosen.numbers("mu_quasistatic", dimension::pressure), Misfit::absolute);
 }
 
-inline RateFactor rate_factor() {
+inline MeanRateFactor rate_factor() {
   auto chosen = table("gelatin_formulations").where({"source_of_mu=curve"});
   return fit_rate_factor(chosen.numbers("mu_quasistatic", dimension::pressure),
                          chosen.numbers("mu_highrate", dimension::pressure));

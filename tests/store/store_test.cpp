@@ -265,6 +265,22 @@ TEST_F(StoreTest, ANewerSchemaIsRefused) {
   EXPECT_THAT(failure(file), HasSubstr("schema 99"));
 }
 
+TEST_F(StoreTest, TakesInWhatItHasNotAndKeepsWhatItHas) {
+  Store here(file), there((folder / "there.store").string());
+  StoredEvaluation other = stopped;
+  other.payload = "{\"other\":1}";
+  here.put("both", stopped);
+  there.put("both", other);
+  there.put("new", other);
+  there.put_note("ladder", "text");
+  EXPECT_EQ(here.take_in(there), 1);
+  EXPECT_EQ(here.find("both"), stopped);
+  EXPECT_EQ(here.find("new"), other);
+  EXPECT_EQ(here.note("ladder"), "text");
+  EXPECT_EQ(here.take_in(there), 0);
+  EXPECT_EQ(there.size(), 2);
+}
+
 TEST_F(StoreTest, AnUnwritablePlaceIsAnIoFailure) {
   std::ofstream((folder / "regular").string()) << "x";
   EXPECT_THAT(failure((folder / "regular" / "percal.store").string()), HasSubstr("regular"));

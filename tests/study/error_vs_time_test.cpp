@@ -123,7 +123,7 @@ TEST(ErrorVsTime, WithoutFourMeshesThatStoppedThereIsAnAccountAndNoNumber) {
   EXPECT_THAT(study.findings,
               testing::Contains(HasSubstr("10 elements per radius: passed through (5 runs): no depth")));
   EXPECT_THAT(study.findings, testing::Contains(HasSubstr("an extrapolation needs 4")));
-  const Advice advice = advise(ladder, study, 0.02);
+  const AdvisedSetting advice = advise(ladder, study, 0.02);
   EXPECT_FALSE(advice.is_found);
   EXPECT_THAT(advice.why_not, HasSubstr("no depth to extrapolate to"));
   const auto json = error_vs_time_to_json(ladder, study, {advice});
@@ -155,13 +155,13 @@ TEST(ErrorVsTime, AChangeIsSignificantBeyondTwoStandardErrors) {
 
 TEST(Advice, IsTheCheapestSettingOfTheLadder) {
   const Ladder ladder = ladder_of(0.2, 1, 0.02);  // mesh errors 4, 2.9, 2, 1.4, 1, 0.7 %
-  const Advice five = advise(ladder, error_vs_time(ladder), 0.05);
+  const AdvisedSetting five = advise(ladder, error_vs_time(ladder), 0.05);
   EXPECT_TRUE(five.is_found);
   EXPECT_FALSE(five.cost_is_estimated);
   EXPECT_EQ(five.elements_per_radius, 5);  // sqrt(0.05^2 - 0.04^2) = 0.03: one run will do
   EXPECT_EQ(five.replicates, 1);
   EXPECT_NEAR(five.cpu_seconds, 0.125, 1e-9);
-  const Advice two = advise(ladder, error_vs_time(ladder), 0.02);
+  const AdvisedSetting two = advise(ladder, error_vs_time(ladder), 0.02);
   // 14: 0.02^2 - 0.0143^2 = 0.014^2, three runs of 2.7 s; 20: two runs of 8 s; 10 has no room for noise.
   EXPECT_EQ(two.elements_per_radius, 14);
   EXPECT_EQ(two.replicates, 3);
@@ -173,7 +173,7 @@ TEST(Advice, IsTheCheapestSettingOfTheLadder) {
 
 TEST(Advice, BeyondTheLadderIsMarkedAsAnEstimate) {
   const Ladder ladder = ladder_of(0.5, 1, 1e-3);  // the finest is 1.8 % off
-  const Advice advice = advise(ladder, error_vs_time(ladder), 0.01);
+  const AdvisedSetting advice = advise(ladder, error_vs_time(ladder), 0.01);
   ASSERT_TRUE(advice.is_found);
   EXPECT_TRUE(advice.cost_is_estimated);
   EXPECT_NEAR(advice.elements_per_radius, 51, 4);  // 0.5/n = 1 %
@@ -184,7 +184,7 @@ TEST(Advice, BeyondTheLadderIsMarkedAsAnEstimate) {
 TEST(Advice, ThereIsNoneWhereDepthsScatterFromMeshToMesh) {
   Ladder ladder = ladder_of(0, 1, 1e-3);
   for (std::size_t i = 0; i < 6; ++i) ladder.meshes[i].penetration.depth = i % 2 ? 26.0 : 28.0;
-  const Advice advice = advise(ladder, error_vs_time(ladder), 0.01);
+  const AdvisedSetting advice = advise(ladder, error_vs_time(ladder), 0.01);
   EXPECT_FALSE(advice.is_found);
   EXPECT_THAT(advice.why_not, HasSubstr("scatter from mesh to mesh"));
 }

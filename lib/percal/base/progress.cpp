@@ -9,16 +9,25 @@
 namespace percal {
 namespace {
 std::atomic<bool> enabled{false};
+std::atomic<const Progress*> shown{nullptr};  // whose bar stands on the terminal
 constexpr int bar_width = 30;
 }  // namespace
 
 void Progress::enable(bool wanted) { enabled = wanted && isatty(STDERR_FILENO) == 1; }
 
 Progress::Progress(std::string label, long total)
-    : label_(std::move(label)), total_(total), visible_(enabled), start_(std::chrono::steady_clock::now()) {}
+    : label_(std::move(label)), total_(total), visible_(enabled), start_(std::chrono::steady_clock::now()) {
+  const Progress* nobody = nullptr;
+  if (visible_) shown.compare_exchange_strong(nobody, this);
+}
 
 Progress::~Progress() {
-  if (visible_) std::fprintf(stderr, "\r\033[K");
+  const Progress* mine = this;
+  if (visible_ && shown.load() == mine) {
+    std::fprintf(stderr, "\r\033[K");
+    std::fflush(stderr);
+    shown.compare_exchange_strong(mine, nullptr);
+  }
 }
 
 void Progress::add(long finished) {
@@ -37,6 +46,8 @@ void Progress::expect(long more) {
 }
 
 void Progress::draw() {
+  const Progress* nobody = nullptr;
+  if (!shown.compare_exchange_strong(nobody, this) && nobody != this) return;
   const double share = total_ > 0 ? std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_)) : 0;
   const double elapsed = std::chrono::duration<double>(drawn_ - start_).count();
   const long left = share > 0 ? static_cast<long>(elapsed * (1 - share) / share + 0.5) : 0;

@@ -7,6 +7,7 @@
 namespace percal {
 
 // Counts finished pieces of work, from several threads, and draws "label  12/30  ####....  0:08 left" on standard error.
+// Where several are alive at once, the first is shown until it is done; the others count silently until then.
 class Progress {
  public:
   Progress() = default;  // silent

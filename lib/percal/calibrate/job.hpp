@@ -50,6 +50,7 @@ struct MeasuredShot {
   int group = 0;                            // scatter group
   int set = 0;                              // of CalibrationJob::sets
   std::map<std::string, std::string> row;   // its row of the table, for filters of cross-validation
+  std::string file = {};                    // the table; empty where the job says the shot itself
 };
 
 struct ShotSet {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "percal/base/error.hpp"
+#include "percal/base/progress.hpp"
 #include "percal/math/distributions.hpp"
 
 namespace percal {
@@ -149,6 +150,31 @@ std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& mo
   return depths;
 }
 
+std::vector<CurveStresses> curve_stresses(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
+  std::vector<CurveStresses> curves;
+  if (!model.stresses) return curves;
+  const ModelAnswer answer = model.stresses(fit.at, Want::values_and_covariance);
+  const MatrixXd of_parameters = answer.jacobian * full_covariance(model, fit) * answer.jacobian.transpose();
+  const std::vector<Datum> data = curve_data(job);
+  Eigen::Index row = 0;
+  for (std::size_t c = 0; c < job.curves.size(); ++c) {
+    const int group = job.curves[c].group;
+    const double quantile = prediction_quantile(fit, group, job.level), scatter = fit.best().scatter[group];
+    CurveStresses curve{.curve = static_cast<int>(c)};
+    for (const double scale : stress_scales(job.curves[c])) {
+      const double common = answer.covariance.size() > 0 ? answer.covariance(row, row) : 0;
+      const double error = data[static_cast<std::size_t>(row)].error;
+      const double deviation = std::sqrt(of_parameters(row, row) + common + scatter * scatter + error * error);
+      curve.stress.push_back(scale * answer.value[row]);
+      curve.low.push_back(scale * (answer.value[row] - quantile * deviation));
+      curve.high.push_back(scale * (answer.value[row] + quantile * deviation));
+      ++row;
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
 Deviation deviation(const std::string& name, const CalibrationJob& job, const std::vector<ShotDepth>& depths) {
   Deviation result{.name = name};
   for (const ShotDepth& depth : depths) {
@@ -215,6 +241,8 @@ CrossValidationResult cross_validate(const CalibrationJob& job, const JobModel& 
 CrossValidationResult leave_one_out(const CalibrationJob& job, const JobModel& model, int set, const JobFit& full,
                                     const SearchOptions& options) {
   CrossValidationResult result{.name = "leave one out: " + job.sets[set].name};
+  const auto count = std::ranges::count_if(job.shots, [set](const MeasuredShot& shot) { return shot.set == set; });
+  Progress progress(result.name, static_cast<long>(count));
   for (std::size_t i = 0; i < job.shots.size(); ++i) {
     if (job.shots[i].set != set) continue;
     std::vector<int> others;
@@ -223,6 +251,7 @@ CrossValidationResult leave_one_out(const CalibrationJob& job, const JobModel& m
     const JobFit fit = fit_job(job, model, others, options, full.at);
     result.fitted = static_cast<int>(others.size());
     result.shots.push_back(shot_depths(job, model, fit, {static_cast<int>(i)})[0]);
+    progress.add();
   }
   result.prediction = deviation("predicted", job, result.shots);
   return result;

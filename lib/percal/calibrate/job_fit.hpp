@@ -32,6 +32,9 @@ double known_log_error(const MeasuredShot& shot, double speed_exponent);
 std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
                                    const std::vector<int>& shots);
 
+// The stresses of each curve with the interval in which one such point would lie, at the job's level. Empty where the model has none.
+std::vector<CurveStresses> curve_stresses(const CalibrationJob& job, const JobModel& model, const JobFit& fit);
+
 // Over those of the depths whose measurement is a number.
 Deviation deviation(const std::string& name, const CalibrationJob& job, const std::vector<ShotDepth>& depths);
 

@@ -38,6 +38,30 @@ Json shots_of(const CalibrationJob& job) {
   return all;
 }
 
+// Every point of a curve: how it was deformed, how far, and what stress was measured.
+Json points_of(const MeasuredCurve& curve) {
+  Json deformation = Json::array(), amount = Json::array(), stress = Json::array();
+  for (const StressPoint& point : curve.data.points) {
+    deformation.push_back(word(point.strained.deformation));
+    amount.push_back(number(point.strained.amount));
+    stress.push_back(number(point.nominal_stress));
+  }
+  return {{"deformation", deformation}, {"stretch_or_shear", amount}, {"stress_Pa", stress}};
+}
+
+Json published_of(const CalibrationJob& job) {
+  Json all = Json::array();
+  for (const PublishedPairs& published : job.published) {
+    Json pairs = Json::array();
+    for (const PublishedPair& pair : published.pairs)
+      pairs.push_back({{"erosion_strain", pair.erosion_strain}, {"mu_as_given_Pa", pair.mu}});
+    all.push_back({{"name", published.name},
+                   {"parameter", job.parameters[published.modulus].free.name},
+                   {"pairs", pairs}});
+  }
+  return all;
+}
+
 Json curves_of_job(const CalibrationJob& job) {
   Json all = Json::array();
   for (const MeasuredCurve& curve : job.curves)
@@ -46,6 +70,7 @@ Json curves_of_job(const CalibrationJob& job) {
                    {"scatter", job.groups[curve.group].name},
                    {"file", curve.data.sources.empty() ? Json(nullptr) : Json(curve.data.sources.front().file)},
                    {"points", curve.data.points.size()},
+                   {"measured", points_of(curve)},
                    {"rate_factor", curve.rate_factor},
                    {"rate_factor_error", curve.rate_factor_error},
                    {"relative_error", curve.relative_error},
@@ -56,7 +81,10 @@ Json curves_of_job(const CalibrationJob& job) {
 }  // namespace
 
 Json job_to_json(const CalibrationJob& job) {
-  return {{"parameters", parameters_of(job)}, {"shots", shots_of(job)}, {"curves", curves_of_job(job)}};
+  return {{"parameters", parameters_of(job)},
+          {"shots", shots_of(job)},
+          {"curves", curves_of_job(job)},
+          {"ridge_points", published_of(job)}};
 }
 
 }  // namespace percal::calibration_json

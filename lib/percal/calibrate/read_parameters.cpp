@@ -91,6 +91,10 @@ std::optional<SharedParameter> named_parameter(const TomlTable& block, const std
 // A quantity, or the name of a parameter of the kind.
 MaterialNumber number_from(const TomlTable& block, const std::string& key, const CalibrationJob& job,
                            ParameterKind kind) {
+  block.describe(key, {dimension_of(kind) == dimension::none ? "number or name" : "pressure or name",
+                       words_of(range_of(kind)) + ", or the name of a parameter of kind " +
+                           in_quotes(kind_words[static_cast<int>(kind)]),
+                       ""});
   if (const auto shared = named_parameter(block, key, job, kind)) return *shared;
   const std::string accepted = fmt::format("{}, or the name of a parameter: {}",
                                            words_of(range_of(kind), dimension_of(kind)), parameters_of(job, kind));

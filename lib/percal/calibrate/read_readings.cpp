@@ -34,7 +34,8 @@ std::map<int, double> held_from(const TomlTable& block, const CalibrationJob& jo
         .low = parameter.free.low,
         .high = parameter.free.high,
         .words = fmt::format("a value from {:.6g} to {:.6g}, the parameter's bounds, in {}", parameter.free.low,
-                             parameter.free.high, parameter.free.unit.empty() ? "no unit" : parameter.free.unit)};
+                             parameter.free.high, parameter.free.unit.empty() ? "no unit" : parameter.free.unit),
+        .in_general = "a value within the parameter's bounds"};
     const bool modulus = parameter.kind == ParameterKind::modulus;
     held[*k] = hold->quantity(name, modulus ? dimension::pressure : dimension::none, within);
   }

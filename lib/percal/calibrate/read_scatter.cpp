@@ -1,4 +1,6 @@
 // [scatter.NAME], and shares of 1 as they may be written.
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "percal/calibrate/read_job.hpp"
@@ -23,6 +25,7 @@ std::optional<double> percentage(std::string text) {
 }  // namespace
 
 std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range) {
+  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", ""});
   if (!block.is_text(key)) return block.optional_number(key, range);
   const std::string text = block.text(key);
   const auto share = percentage(text);
@@ -31,6 +34,7 @@ std::optional<double> optional_share_from(const TomlTable& block, const std::str
 }
 
 double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback) {
+  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", fmt::format("{}", fallback)});
   return optional_share_from(block, key, range).value_or(fallback);
 }
 

@@ -33,7 +33,7 @@ std::vector<double> for_each_row(const TomlTable& block, const std::string& key,
   if (block.has(key) && block.has(column)) block.refuse(column, "this beside " + key, "one of the two");
   if (block.has(column)) return column_of(block, column, table, dimension, range);
   if (!block.has(key)) {
-    block.optional_text(column);
+    block.knows(column);
     block.refuse(key, "no such key", fmt::format("{}, or {} = \"COLUMN\"", words_of(range, dimension), column));
   }
   return std::vector<double>(table.rows.size(), block.quantity(key, dimension, range));
@@ -52,6 +52,7 @@ std::vector<double> radii(const TomlTable& block, const CsvTable& table) {
 
 // The standard deviation of a depth: a length, or a share of it.
 double depth_error_from(const TomlTable& block, double depth) {
+  block.describe("depth_error", {"length or share", "a length, or a share of the depth, not below zero", "0"});
   if (!block.has("depth_error")) return 0;
   const bool is_share = !block.is_text("depth_error") || block.text("depth_error").find('%') != std::string::npos;
   if (is_share)
@@ -114,6 +115,7 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
     shot.density = densities[i];
     shot.speed = speeds[i];
     shot.depth = depths[i];
+    shot.file = table.file;
     shot.label = label_of(particles[i], shot);
     for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = table.rows[i].cells[c];
   }
@@ -153,7 +155,7 @@ double layer_size(const TomlTable& block, const std::string& key, double radius,
   if (block.has(in_radii)) return block.number(in_radii, above_one) * radius;
   const auto size = block.optional_quantity(key, dimension::length, length);
   if (!size && !fallback) {
-    block.optional_number(in_radii, above_one);
+    block.knows(in_radii);
     block.refuse(key, "no such key", fmt::format("the layer's size, or {} in radii of the sphere", in_radii));
   }
   if (size && *size <= radius)

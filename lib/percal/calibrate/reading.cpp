@@ -91,6 +91,7 @@ ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& m
   result.intervals = profile_intervals(fit.problem, fit.best(), job.level, quick_search());
   result.combinations = combinations(fit.problem, fit.best());
   result.shots = shot_depths(job, model, fit, all_shots(job));
+  result.curves = curve_stresses(job, model, fit);
   result.sets = set_deviations(job, result.shots);
   result.moduli = material_moduli(job, read, model, fit, result.intervals);
 

@@ -80,6 +80,17 @@ Json deviations_to_json(const std::vector<Deviation>& deviations) {
   return all;
 }
 
+Json curves_to_json(const CalibrationJob& job, const std::vector<CurveStresses>& curves) {
+  Json all = Json::array();
+  for (const CurveStresses& curve : curves)
+    all.push_back({{"curve", curve.curve},
+                   {"name", job.curves[curve.curve].name},
+                   {"stress_Pa", numbers(curve.stress)},
+                   {"low_Pa", numbers(curve.low)},
+                   {"high_Pa", numbers(curve.high)}});
+  return all;
+}
+
 Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs) {
   Json all = Json::array();
   for (const FreshRun& run : runs)
@@ -112,7 +123,7 @@ Json budgets_to_json(const std::vector<ErrorBudget>& budgets) {
   Json all = Json::array();
   for (const ErrorBudget& budget : budgets) {
     Json sources = Json::array();
-    for (const ErrorSource& source : budget.sources)
+    for (const ErrorShare& source : budget.sources)
       sources.push_back({{"name", source.name},
                          {"standard_deviation", number(source.standard_deviation)},
                          {"share", number(source.share)}});
@@ -153,6 +164,7 @@ Json reading_to_json(const CalibrationJob& job, const ReadingResult& result) {
             {"combinations", combinations_of(parameters, result.combinations)},
             {"ridges", ridges_to_json(parameters, result.ridges)},
             {"shots", shot_depths_to_json(job, result.shots)},
+            {"curves", curves_to_json(job, result.curves)},
             {"sets", deviations_to_json(result.sets)},
             {"cross_validations", cross_validations_to_json(job, result.cross_validations)},
             {"leave_one_out", cross_validations_to_json(job, result.leave_one_out)},

@@ -166,7 +166,7 @@ TextTable budget_table(const CalibrationJob& job, const ErrorBudget& budget) {
       {{"", "standard deviation", "share of the variance"}},
       {}};
   double rest_of_variance = 0, rest_of_shares = 0;
-  for (const ErrorSource& source : budget.sources) {
+  for (const ErrorShare& source : budget.sources) {
     if (source.share < next_to_nothing) {
       rest_of_variance += source.standard_deviation * source.standard_deviation;
       rest_of_shares += source.share;

@@ -29,6 +29,13 @@ struct ShotDepth {
   std::optional<double> deviation = {};
 };
 
+// The stresses that a model gives for the points of a curve, in their order, and where one more such point would lie; Pa.
+struct CurveStresses {
+  int curve = 0;  // of CalibrationJob::curves
+  std::vector<double> stress = {};
+  std::vector<double> low = {}, high = {};  // parameters, rate factor, scatter and the point's own error
+};
+
 // Mean of |deviation| over the shots of a set or filter, and how many of the measured depths lie within the intervals.
 struct Deviation {
   std::string name;
@@ -57,14 +64,14 @@ struct CrossValidationResult {
 };
 
 // Shares of the variance of one quantity.
-struct ErrorSource {
+struct ErrorShare {
   std::string name;
   double standard_deviation = 0;  // relative, of the quantity
   double share = 0;               // of the variance
 };
 struct ErrorBudget {
   std::string quantity;
-  std::vector<ErrorSource> sources = {};
+  std::vector<ErrorShare> sources = {};
   double standard_deviation = 0;      // of ln of the quantity, all sources
   Estimate total = {};                // natural value with the interval of all sources
   std::string most_influential = {};  // the datum that moves it most, and d ln quantity / d ln depth of it
@@ -90,8 +97,9 @@ struct ReadingResult {
   std::vector<Combination> combinations;
   std::vector<RidgeMap>
       ridges;  // each fitted modulus over the erosion strain of its material, where that is fitted too
-  std::vector<ShotDepth> shots;  // every shot of the job
-  std::vector<Deviation> sets;   // by set
+  std::vector<ShotDepth> shots;            // every shot of the job
+  std::vector<CurveStresses> curves = {};  // every curve of the job
+  std::vector<Deviation> sets;             // by set
   std::vector<FreshRun> fresh;
   std::vector<CrossValidationResult> cross_validations, leave_one_out;
   std::vector<MaterialModuli> moduli;

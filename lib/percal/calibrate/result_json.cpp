@@ -1,7 +1,9 @@
 #include "percal/calibrate/result_json.hpp"
 
 #include "percal/base/version.hpp"
+#include "percal/calibrate/cards.hpp"
 #include "percal/calibrate/json_parts.hpp"
+#include "percal/card/card_json.hpp"
 
 namespace percal {
 namespace calibration_json {
@@ -64,6 +66,9 @@ nlohmann::json calibration_to_json(const CalibrationJob& job, const CalibrationR
   Json emulators = Json::array(), readings = Json::array();
   for (const EmulatorReport& emulator : result.emulators) emulators.push_back(emulator_to_json(job, emulator));
   for (const ReadingResult& reading : result.readings) readings.push_back(reading_to_json(job, reading));
+  Json cards = Json::array();
+  for (const ReadingResult& reading : result.readings)
+    for (const CardMaterial& card : calibration_cards(job, reading)) cards.push_back(card_to_json(card));
   return {{"schema", result_schema},
           {"percal", version()},
           {"command", "calibrate"},
@@ -73,6 +78,7 @@ nlohmann::json calibration_to_json(const CalibrationJob& job, const CalibrationR
           {"level", job.level},
           {"data", job_to_json(job)},
           {"readings", readings},
+          {"cards", cards},
           {"dehn", result.dehn ? dehn_to_json(job, *result.dehn) : Json(nullptr)},
           {"emulators", emulators},
           {"findings", result.findings},

@@ -34,11 +34,13 @@ double elements_of(const Problem& p) {
   return columns * p.whole_depth() * p.elements_per_radius * (p.whole ? 2 : 1);
 }
 
-Evaluation run(const Problem& problem, int spare_threads) {
+Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observer) {
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
   const int threads = std::clamp(static_cast<int>(elements_of(problem) / worth_a_thread), 1, spare_threads);
-  Evaluation evaluation{.result = run_impact(problem, threads), .instruction_level = instruction_level()};
+  Evaluation evaluation{
+      .result = observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads),
+      .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return evaluation;
@@ -65,11 +67,12 @@ Campaign::Campaign(Store* store, int threads)
       threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
       books_(std::make_shared<Books>()) {}
 
-Evaluation Campaign::evaluate(const Problem& problem) { return evaluate(problem, 1); }
+Evaluation Campaign::evaluate(const Problem& problem) { return evaluate(problem, 1, nullptr); }
 
-Evaluation Campaign::evaluate(const Problem& problem, int threads) {
+Evaluation Campaign::evaluate(const Problem& problem, int threads, FrameObserver* observer) {
+  if (stop_wanted_ && stop_wanted_()) throw Interrupted();
   const std::string key = evaluation_key(problem, instruction_level());
-  if (store_ && std::holds_alternative<NoHistory>(problem.history)) {
+  if (store_ && !observer && std::holds_alternative<NoHistory>(problem.history)) {
     if (const auto stored = store_->find(key)) {
       Evaluation evaluation = read(*stored);
       const std::lock_guard lock(books_->mutex);
@@ -77,7 +80,7 @@ Evaluation Campaign::evaluate(const Problem& problem, int threads) {
       return evaluation;
     }
   }
-  Evaluation evaluation = run(problem, threads);
+  Evaluation evaluation = run(problem, threads, observer);
   if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
   const std::lock_guard lock(books_->mutex);
   ++books_->cost.runs;
@@ -85,7 +88,8 @@ Evaluation Campaign::evaluate(const Problem& problem, int threads) {
   return evaluation;
 }
 
-std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress) {
+std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
+                                           FrameObserver* of_first) {
   // Problems that are the same are evaluated once; those with a history apart from those without.
   std::map<std::string, std::size_t> first_with_key;
   std::vector<std::size_t> stands_for(problems.size()), distinct;
@@ -99,7 +103,7 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
   std::vector<Evaluation> results(problems.size());
   const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(distinct.size())));
   side_by_side(static_cast<int>(distinct.size()), [&](int k) {
-    results[distinct[k]] = evaluate(problems[distinct[k]], threads_each);
+    results[distinct[k]] = evaluate(problems[distinct[k]], threads_each, distinct[k] == 0 ? of_first : nullptr);
     if (progress) progress->add();
   });
   for (std::size_t i = 0; i < problems.size(); ++i)

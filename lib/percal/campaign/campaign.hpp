@@ -1,12 +1,14 @@
 // Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core; where there are
 // fewer runs than cores, large ones get several. The bits are the same.
 #pragma once
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "percal/base/progress.hpp"
+#include "percal/impact/frame.hpp"
 #include "percal/observe/penetration.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/store/store.hpp"
@@ -19,6 +21,12 @@ struct CampaignCost {
   double cpu_seconds = 0;  // of the runs done here
 };
 
+// Thrown by a campaign that was asked to stop. What was finished before is in the store.
+class Interrupted : public std::exception {
+ public:
+  const char* what() const noexcept override { return "interrupted"; }
+};
+
 class Campaign {
  public:
   // A store that is null is not used. threads = 0: one for each core.
@@ -28,8 +36,10 @@ class Campaign {
   // never taken from the store, which keeps none.
   Evaluation evaluate(const Problem& problem);
 
-  // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null.
-  std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress);
+  // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null. `of_first` looks
+  // at the run of the first problem, which is then never taken from the store, and is called from the thread that runs it.
+  std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress,
+                                   FrameObserver* of_first = nullptr);
 
   // The replicates of each problem: results[i] belongs to problems[i].
   std::vector<std::vector<Evaluation>> replicate(const std::vector<Problem>& problems, int replicates,
@@ -38,16 +48,20 @@ class Campaign {
   // work(0) ... work(count - 1), each on one of the threads. The first exception ends the rest and is thrown here.
   void side_by_side(int count, const std::function<void(int)>& work) const;
 
+  // Asked before each run, from several threads at once; where it answers yes, the run is not begun and Interrupted thrown.
+  void stop_when(std::function<bool()> wanted) { stop_wanted_ = std::move(wanted); }
+
   CampaignCost cost() const;
   int threads() const { return threads_; }
 
  private:
-  Evaluation evaluate(const Problem& problem, int threads);
+  Evaluation evaluate(const Problem& problem, int threads, FrameObserver* observer);
   Evaluation read(const StoredEvaluation& stored) const;
 
   struct Books;
   Store* store_;
   int threads_;
+  std::function<bool()> stop_wanted_;  // may be empty
   std::shared_ptr<Books> books_;
 };
 

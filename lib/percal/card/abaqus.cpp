@@ -1,5 +1,7 @@
 #include "percal/card/abaqus.hpp"
 
+#include <fmt/core.h>
+
 #include <cctype>
 
 #include "percal/card/field.hpp"
@@ -10,39 +12,70 @@ namespace {
 
 constexpr int field_characters = 20;  // CalculiX's limit
 constexpr std::size_t name_characters = 80;
+constexpr std::size_t numbers_of_line = 8;
 
 // A name that both programs take: letters, digits, '_' and '-', a letter first, at most 80 characters.
 std::string material_name(const std::string& name) {
   const bool letter_first = !name.empty() && std::isalpha(static_cast<unsigned char>(name.front()));
-  std::string fit = letter_first ? "" : "M";
-  for (const char letter : name) {
-    const auto byte = static_cast<unsigned char>(letter);
-    if ((byte & 0xC0) == 0x80) continue;  // the rest of a character in UTF-8
-    fit += byte < 128 && (std::isalnum(byte) || letter == '-') ? letter : '_';
+  return ascii_name((letter_first ? "" : "M") + name, "-_", name_characters);
+}
+
+// mu1, alpha1, mu2, alpha2, ..., D1, D2, ...: eight to a line. `absent` is what D2 and D3 are where they mean nothing.
+std::string constants(const CardMaterial& material, const UnitSystem& units, double absent) {
+  std::vector<double> numbers;
+  for (const Ogden& term : material.terms) {
+    numbers.push_back(modulus_field(term, CardModulus::mu) / units.stress);
+    numbers.push_back(term.alpha);
   }
-  return fit.substr(0, name_characters);
+  numbers.push_back(2 / (material.bulk_modulus / units.stress));
+  numbers.resize(3 * material.terms.size(), absent);
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    text += number_field(numbers[i], field_characters);
+    const bool last = i + 1 == numbers.size();
+    text += last || (i + 1) % numbers_of_line == 0 ? (last ? "\n" : ",\n") : ", ";
+  }
+  return text;
+}
+
+// CalculiX puts a number of its own in the place of a D1 that it takes for 0. docs/formats/cards.md
+void check_calculix_d1(const CardMaterial& material, const UnitSystem& units) {
+  constexpr double smallest = 1e-10;
+  const double d1 = 2 / (material.bulk_modulus / units.stress);
+  if (d1 >= smallest) return;
+  throw BadInput(
+      Place{.file = "", .line = 0, .key = "units"}, fmt::format("'{}', in which D1 = 2/K is {:.3g}", units.name, d1),
+      fmt::format("for CalculiX units in which D1 is {:g} or more, as mm-t-s-MPa: it takes a smaller D1 for 0 "
+                  "and puts 0.1/mu in its place",
+                  smallest));
+}
+
+std::string card(const CardMaterial& material, const UnitSystem& units, double absent) {
+  std::string text =
+      card_comments({"**", "mu", CardModulus::mu, "volumetric law: D1 = 2/K; U = (J - 1)^2 / D1"}, material, units);
+  text += comment_lines("**", material.erosion ? "no erosion in this card: elements should go at a largest principal "
+                                                 "strain of " +
+                                                     in_all_measures(*material.erosion)
+                                               : "no erosion in this card");
+  text += "*MATERIAL, NAME=" + material_name(material.name) + "\n";
+  text += "*DENSITY\n" + number_field(material.density / units.density(), field_characters) + "\n";
+  text += "*HYPERELASTIC, OGDEN, N=" + std::to_string(material.terms.size()) + "\n";
+  text += constants(material, units, absent);
+  return text;
 }
 
 }  // namespace
 
 std::string abaqus_card(const CardMaterial& material, const UnitSystem& units) {
   check(material, Place{});
-  const auto field = [](double value) { return number_field(value, field_characters); };
-  std::string text = card_header("**", material, units, {"mu", material.mu_true});
-  text += comment_lines("**", "D1 = 2/K; U = (J - 1)^2 / D1");
-  if (material.erosion) {
-    text += comment_lines("**", "no erosion in this card: elements should go at a largest principal strain of " +
-                                    in_all_measures(*material.erosion));
-  } else {
-    text += comment_lines("**", "no erosion in this card");
-  }
-  text += card_sources("**", material);
-  text += "*MATERIAL, NAME=" + material_name(material.name) + "\n";
-  text += "*DENSITY\n" + field(material.density / units.density()) + "\n";
-  text += "*HYPERELASTIC, OGDEN, N=1\n";
-  text += field(material.mu_true / units.stress) + ", " + field(material.alpha) + ", " +
-          field(2 / (material.bulk_modulus / units.stress)) + "\n";
-  return text;
+  return card(material, units, 0);
+}
+
+std::string calculix_card(const CardMaterial& material, const UnitSystem& units) {
+  check(material, Place{});
+  check_calculix_d1(material, units);
+  constexpr double absent = 1e20;  // 0 would be replaced here too
+  return card(material, units, absent);
 }
 
 }  // namespace percal

@@ -1,7 +1,8 @@
 #include "percal/card/card_json.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "percal/card/card_provenance_json.hpp"
 
 namespace percal {
 namespace {
@@ -44,16 +45,19 @@ StrainMeasure measure(const Reader& reader) {
   reader.refuse("measure", reader.find("measure"), accepted);
 }
 
-json parse(const std::string& text, const std::string& file) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-    throw BadInput(Place{file, line, ""}, "text that is not JSON", "a result.json of percal");
-  } catch (const json::exception& error) {  // a number beyond a double's range
-    throw BadInput(Place{file, 0, ""}, error.what(), "a result.json of percal");
+// One term as mu_true_Pa and alpha, or several in `terms`.
+std::vector<Ogden> terms_of(const Reader& reader) {
+  const json* several = reader.find("terms");
+  if (!several || several->is_null()) return {{reader.number("mu_true_Pa"), reader.number("alpha")}};
+  const std::string accepted = "an array of objects with mu_true_Pa and alpha";
+  if (!several->is_array()) reader.refuse("terms", several, accepted);
+  std::vector<Ogden> terms;
+  for (const json& term : *several) {
+    if (!term.is_object()) reader.refuse("terms", &term, accepted);
+    const Reader of_term{term, reader.at("terms[" + std::to_string(terms.size()) + "]")};
+    terms.push_back({of_term.number("mu_true_Pa"), of_term.number("alpha")});
   }
+  return terms;
 }
 
 }  // namespace
@@ -63,19 +67,29 @@ json card_to_json(const CardMaterial& material) {
   if (material.erosion) {
     erosion = {{"strain", material.erosion->limit}, {"measure", word(material.erosion->measure)}};
   }
-  return {{"name", material.name},        {"density_kg_m3", material.density},        {"mu_true_Pa", material.mu_true},
-          {"alpha", material.alpha},      {"bulk_modulus_Pa", material.bulk_modulus}, {"erosion", erosion},
-          {"comments", material.comments}};
+  json card = {{"name", material.name},
+               {"density_kg_m3", material.density},
+               {"bulk_modulus_Pa", material.bulk_modulus},
+               {"erosion", erosion},
+               {"comments", material.comments}};
+  if (material.terms.size() == 1) {
+    card["mu_true_Pa"] = material.terms[0].mu;
+    card["alpha"] = material.terms[0].alpha;
+  } else {
+    card["terms"] = json::array();
+    for (const Ogden& term : material.terms) card["terms"].push_back({{"mu_true_Pa", term.mu}, {"alpha", term.alpha}});
+  }
+  add_provenance(material, card);
+  return card;
 }
 
 CardMaterial card_from_json(const json& card, const Place& place) {
   if (!card.is_object()) throw BadInput(place, card.type_name(), "an object");
   const Reader reader{card, place};
-  CardMaterial material{};
-  material.name = reader.text("name", "a text");
-  material.density = reader.number("density_kg_m3");
-  material.mu_true = reader.number("mu_true_Pa");
-  material.alpha = reader.number("alpha");
+  CardMaterial material{.name = reader.text("name", "a text"),
+                        .density = reader.number("density_kg_m3"),
+                        .terms = terms_of(reader),
+                        .bulk_modulus = 0};
   material.bulk_modulus = reader.number("bulk_modulus_Pa");
   if (const json* erosion = reader.find("erosion"); erosion && !erosion->is_null()) {
     if (!erosion->is_object()) reader.refuse("erosion", erosion, "null or an object with strain and measure");
@@ -89,21 +103,9 @@ CardMaterial card_from_json(const json& card, const Place& place) {
       material.comments.push_back(comment.get<std::string>());
     }
   }
+  read_provenance(card, place, material);
   check(material, place);
   return material;
-}
-
-CardMaterial card_of_result(const std::string& text, const std::string& file) {
-  const json result = parse(text, file);
-  if (result.is_object() && result.contains("card") && !result["card"].is_null()) {
-    return card_from_json(result["card"], Place{.file = file, .line = 0, .key = "card"});
-  }
-  const Place place{.file = file, .line = 0, .key = "card"};
-  if (result.is_object() && result.contains("minima")) {
-    throw BadInput(place, "a result of percal fit, which has a modulus and an alpha but no density or bulk modulus",
-                   "a result with a card object, as percal identify writes it");
-  }
-  throw BadInput(place, "nothing", "a result with a card object, as percal identify writes it");
 }
 
 }  // namespace percal

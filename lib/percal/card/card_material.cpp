@@ -17,12 +17,28 @@ void need_positive(double value, const Place& place, const std::string& key, con
   need(std::isfinite(value) && value > 0, place, key, value, "a positive " + what);
 }
 
+void check_terms(const std::vector<Ogden>& terms, const Place& place) {
+  const bool single = terms.size() == 1;
+  need(!terms.empty() && terms.size() <= most_card_terms, place, "terms", static_cast<double>(terms.size()),
+       fmt::format("1 to {} Ogden terms", most_card_terms));
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const std::string start = single ? "" : fmt::format("terms[{}].", k);
+    need(std::isfinite(terms[k].mu) && terms[k].mu != 0, place, start + "mu_true_Pa", terms[k].mu,
+         single ? "a positive shear modulus in Pa" : "a modulus in Pa other than 0");
+    need(std::isfinite(terms[k].alpha) && terms[k].alpha != 0, place, start + "alpha", terms[k].alpha,
+         "a number other than 0");
+  }
+  need_positive(small_strain_modulus({terms}), place, single ? "mu_true_Pa" : "terms",
+                single ? "shear modulus in Pa" : "sum of all mu_true_Pa");
+}
+
 }  // namespace
+
+double shear_modulus(const CardMaterial& material) { return small_strain_modulus({material.terms}); }
 
 void check(const CardMaterial& material, const Place& place) {
   need_positive(material.density, place, "density_kg_m3", "density in kg/m3");
-  need_positive(material.mu_true, place, "mu_true_Pa", "shear modulus in Pa");
-  need(std::isfinite(material.alpha) && material.alpha != 0, place, "alpha", material.alpha, "a number other than 0");
+  check_terms(material.terms, place);
   need_positive(material.bulk_modulus, place, "bulk_modulus_Pa", "bulk modulus in Pa");
   if (material.erosion) need_positive(material.erosion->limit, place, "erosion.strain", "strain");
 }

@@ -6,8 +6,11 @@
 
 #include "percal/base/error.hpp"
 #include "percal/material/conventions.hpp"
+#include "percal/material/hyperelastic.hpp"
 
 namespace percal {
+
+inline constexpr std::size_t most_card_terms = 3;  // CalculiX takes no more
 
 // Largest principal strain at which an element is removed.
 struct CardErosion {
@@ -15,19 +18,43 @@ struct CardErosion {
   StrainMeasure measure;
 };
 
-// W = (2 mu/alpha^2) (sum lambda_bar_i^alpha - 3) + U(J), U ~ K (J - 1)^2 / 2 near J = 1.
-struct CardMaterial {
-  std::string name;     // any text; each writer makes it fit its format
-  double density;       // kg/m3
-  double mu_true;       // small-strain shear modulus, Pa
-  double alpha;         // not 0
-  double bulk_modulus;  // Pa
-  std::optional<CardErosion> erosion;
-  std::vector<std::string> comments;  // sources of the data, one text each; written as comment lines
+// The interval of one parameter, named as in the card object: mu_true_Pa (the sum of all terms), mu_over_alpha_Pa
+// (2 mu/alpha), alpha, erosion_strain; of single terms mu_true_Pa_1, alpha_1, mu_true_Pa_2, ... An end that the data
+// leave open is missing.
+struct CardInterval {
+  std::string parameter;
+  std::optional<double> low, high;
 };
 
-// Throws BadInput for a number that no card can carry: not finite, not positive, alpha = 0. The message names
-// place.file and the key of the result file ("card.mu_true_Pa" where place.key is "card").
+struct CardIntervals {
+  double level;  // of confidence, between 0 and 1
+  std::vector<CardInterval> of;
+};
+
+// A file that the numbers come from, and the SHA-256 of its bytes in 64 hexadecimal digits.
+struct CardData {
+  std::string file, sha256;
+};
+
+// W = sum_k (2 mu_k/alpha_k^2) (sum_i lambda_bar_i^alpha_k - 3) + U(J), U ~ K (J - 1)^2 / 2 near J = 1.
+struct CardMaterial {
+  std::string name;          // any text; each writer makes it fit its format
+  double density;            // kg/m3
+  std::vector<Ogden> terms;  // 1 to 3; mu in Pa; the sum of all mu is the small-strain shear modulus
+  double bulk_modulus;       // Pa
+  std::optional<CardErosion> erosion = {};
+  std::vector<std::string> comments = {};  // sources of the data, one text each; written as comment lines
+  std::optional<CardIntervals> intervals = {};
+  std::string fit_error = {};  // a sentence; empty where it is not known
+  std::vector<CardData> data = {};
+};
+
+// The sum of all mu, Pa.
+double shear_modulus(const CardMaterial& material);
+
+// Throws BadInput for a number that no card can carry: not finite, not positive, alpha = 0, no term or more than three. A
+// single mu may be negative where the sum is positive. The message names place.file and the key of the result file
+// ("card.mu_true_Pa" where place.key is "card").
 void check(const CardMaterial& material, const Place& place);
 
 }  // namespace percal

@@ -12,10 +12,11 @@ struct DeckLine {
   std::string text;
 };
 
-// A keyword ("*DENSITY") with the data lines under it.
+// A keyword ("*DENSITY") with the data lines under it, blank ones included.
 struct DeckBlock {
   int number;
   std::string keyword;  // the whole line in upper case, without blanks
+  std::string written;  // as it stands
   std::vector<DeckLine> data;
 
   // Throws BadInput where there is no such data line. `what` says what should stand there.
@@ -25,17 +26,19 @@ struct DeckBlock {
 struct Deck {
   std::vector<DeckBlock> blocks;
   std::vector<DeckLine> comments;
-
-  // The first block whose keyword starts with `keyword`; null where there is none.
-  const DeckBlock* find(const std::string& keyword) const;
-  // As find, but throws BadInput.
-  const DeckBlock& need(const std::string& keyword, const std::string& file) const;
 };
 
-// Lines that start with `comment` are comments, lines that start with '*' are keywords. Empty lines are passed over.
-Deck parse_deck(const std::string& text, const std::string& comment);
+// Lines that start with `comment` are comments, lines that start with `keyword` are keywords.
+Deck parse_deck(const std::string& text, const std::string& comment, char keyword);
 
-// The number in a field. Throws BadInput with file, line and the field's name.
+Deck without_blank_lines(Deck deck);
+
+std::vector<std::string> split_at_commas(const std::string& line);
+bool is_blank(const std::string& text);
+std::string trimmed(const std::string& text);
+std::string upper_without_blanks(const std::string& text);
+
+// The number in a field; a blank one is 0. Throws BadInput with file, line and the field's name.
 double deck_number(const std::string& field, const Place& place);
 
 }  // namespace percal

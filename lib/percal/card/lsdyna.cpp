@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "percal/card/field.hpp"
@@ -10,35 +11,80 @@
 namespace percal {
 namespace {
 
-constexpr int columns = 10;
-constexpr const char* material_id = "1";
+constexpr int short_columns = 10, long_columns = 20;
+constexpr double digits_that_matter = 1e-5;  // relative; far below what any parameter is known to
+constexpr double worst_bulk_modulus = 0.01;
+constexpr std::size_t title_characters = 80;
+constexpr std::size_t fields_of_card = 8;
 
-std::string field(double value) { return number_field(value, columns); }
+// The card's numbers in its units.
+struct Numbers {
+  double density, nu;
+  std::vector<double> mu, alpha;
+  double mxeps;  // 0: none
+};
 
-// PR in ten columns, which loses digits of K as nu approaches 0.5.
-std::string poisson_field(const CardMaterial& material) {
-  const double ratio = material.bulk_modulus / material.mu_true;
-  std::string text = field(poisson_ratio(ratio));
-  const double nu = *field_number(text);
-  if (!(std::abs(bulk_to_shear(nu) / ratio - 1) <= 0.01)) {  // nu = 0.5 included
-    throw BadInput(Place{.file = "", .line = 0, .key = "bulk_modulus_Pa"},
-                   fmt::format("{:.6g} Pa, which is {:.3g} mu", material.bulk_modulus, ratio),
-                   "for an LS-DYNA card some 1e-6 to 1e7 mu: PR has ten columns");
+Numbers numbers_of(const CardMaterial& material, const UnitSystem& units) {
+  Numbers numbers{.density = material.density / units.density(),
+                  .nu = poisson_ratio(material.bulk_modulus / shear_modulus(material)),
+                  .mu = {},
+                  .alpha = {},
+                  .mxeps = material.erosion ? material.erosion->limit : 0};
+  for (const Ogden& term : material.terms) {
+    numbers.mu.push_back(modulus_field(term, CardModulus::two_mu_over_alpha) / units.stress);
+    numbers.alpha.push_back(term.alpha);
   }
-  return text;
+  return numbers;
 }
 
-std::string erosion_keyword(const CardErosion& erosion) {
+// Relative error of K/mu when PR is written in so many columns; infinite for PR = 0.5.
+double bulk_error(const Numbers& numbers, double ratio, int columns) {
+  const double error = std::abs(bulk_to_shear(*field_number(number_field(numbers.nu, columns))) / ratio - 1);
+  return std::isfinite(error) ? error : HUGE_VAL;
+}
+
+bool all_hold(const Numbers& numbers, double ratio, int columns) {
+  std::vector<double> all = {numbers.density};
+  all.insert(all.end(), numbers.mu.begin(), numbers.mu.end());
+  all.insert(all.end(), numbers.alpha.begin(), numbers.alpha.end());
+  if (numbers.mxeps != 0) all.push_back(numbers.mxeps);
+  const bool held = std::all_of(all.begin(), all.end(), [&](double value) {
+    return std::abs(*field_number(number_field(value, columns)) / value - 1) <= digits_that_matter;
+  });
+  return held && bulk_error(numbers, ratio, columns) <= digits_that_matter;
+}
+
+// A comment line of field names and the line of fields under it.
+std::string lines(const std::vector<std::string>& names, std::vector<std::string> fields, int columns) {
+  fields.resize(fields_of_card, "0.");
+  std::string text = fixed_line(names, columns);
+  text.front() = '$';
+  return text + fixed_line(fields, columns);
+}
+
+std::vector<std::string> numbered(const std::string& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 1; i <= fields_of_card; ++i) names.push_back(name + std::to_string(i));
+  return names;
+}
+
+std::vector<std::string> fields_of(const std::vector<double>& numbers, int columns) {
+  std::vector<std::string> fields;
+  for (const double number : numbers) fields.push_back(number_field(number, columns));
+  return fields;
+}
+
+std::string erosion_keyword(const CardErosion& erosion, int columns, const std::string& suffix) {
   std::string text;
   text += comment_lines("$", "elements go at a largest principal strain of " + in_all_measures(erosion));
   text += comment_lines("$", "strain measure of MXEPS: " + word(erosion.measure) +
-                                 " (which measure LS-DYNA compares in this material is not documented: the number is "
-                                 "written as given)");
-  text += "*MAT_ADD_EROSION\n";
-  text += "$      MID      EXCL    MXPRES     MNEPS    EFFEPS    VOLEPS    NUMFIP       NCS\n";
-  text += fixed_line({material_id, "0.", "0.", "0.", "0.", "0.", "1.", "1."}, columns);
-  text += "$   MNPRES     SIGP1     SIGVM     MXEPS     EPSSH     SIGTH   IMPULSE    FAILTM\n";
-  text += fixed_line({"0.", "0.", "0.", field(erosion.limit), "0.", "0.", "0.", "0."}, columns);
+                                 " (measure not documented: which one LS-DYNA compares in this material is not said in "
+                                 "its manual, so the number is written as given)");
+  text += "*MAT_ADD_EROSION" + suffix + "\n";
+  text += lines({"MID", "EXCL", "MXPRES", "MNEPS", "EFFEPS", "VOLEPS", "NUMFIP", "NCS"},
+                {"1", "0.", "0.", "0.", "0.", "0.", "1.", "1."}, columns);
+  text += lines({"MNPRES", "SIGP1", "SIGVM", "MXEPS", "EPSSH", "SIGTH", "IMPULSE", "FAILTM"},
+                {"0.", "0.", "0.", number_field(erosion.limit, columns)}, columns);
   return text;
 }
 
@@ -46,19 +92,27 @@ std::string erosion_keyword(const CardErosion& erosion) {
 
 std::string lsdyna_card(const CardMaterial& material, const UnitSystem& units) {
   check(material, Place{});
-  const double mu1 = modulus_as_given(material.mu_true, material.alpha, ModulusConvention::mu_over_alpha);
-  std::string text = card_header("$", material, units, {"MU1 = 2 mu/alpha", mu1});
-  text += card_sources("$", material);
-  text += "*MAT_OGDEN_RUBBER\n";
-  text += "$      MID        RO        PR         N        NV         G      SIGF       REF\n";
-  text += fixed_line(
-      {material_id, field(material.density / units.density()), poisson_field(material), "0", "0", "0.", "0.", "0."},
-      columns);
-  text += "$      MU1       MU2       MU3       MU4       MU5       MU6       MU7       MU8\n";
-  text += fixed_line({field(mu1 / units.stress), "0.", "0.", "0.", "0.", "0.", "0.", "0."}, columns);
-  text += "$   ALPHA1    ALPHA2    ALPHA3    ALPHA4    ALPHA5    ALPHA6    ALPHA7    ALPHA8\n";
-  text += fixed_line({field(material.alpha), "0.", "0.", "0.", "0.", "0.", "0.", "0."}, columns);
-  if (material.erosion) text += erosion_keyword(*material.erosion);
+  const Numbers numbers = numbers_of(material, units);
+  const double ratio = material.bulk_modulus / shear_modulus(material);
+  const int columns = all_hold(numbers, ratio, short_columns) ? short_columns : long_columns;
+  if (!(bulk_error(numbers, ratio, columns) <= worst_bulk_modulus)) {
+    throw BadInput(Place{.file = "", .line = 0, .key = "bulk_modulus_Pa"},
+                   fmt::format("{:.6g} Pa, which is {:.3g} mu", material.bulk_modulus, ratio),
+                   "for an LS-DYNA card at most some 1e13 mu: PR has twenty columns at most");
+  }
+  const std::string suffix = columns == long_columns ? "+" : "";
+  std::string text =
+      card_comments({"$", "MU", CardModulus::two_mu_over_alpha, "volumetric law: PR of K/mu; U = K (J - 1 - ln J)"},
+                    material, units);
+  if (columns == long_columns)
+    text += comment_lines("$", "long format, fields of 20 columns: ten do not hold every number, and K, to 1e-5");
+  if (!material.erosion) text += comment_lines("$", "no erosion in this card");
+  text += "*MAT_OGDEN_RUBBER_TITLE" + suffix + "\n" + ascii_name(material.name, "-_. ,()%", title_characters) + "\n";
+  text += lines({"MID", "RO", "PR", "N", "NV", "G", "SIGF", "REF"},
+                {"1", number_field(numbers.density, columns), number_field(numbers.nu, columns), "0", "0"}, columns);
+  text += lines(numbered("MU"), fields_of(numbers.mu, columns), columns);
+  text += lines(numbered("ALPHA"), fields_of(numbers.alpha, columns), columns);
+  if (material.erosion) text += erosion_keyword(*material.erosion, columns, suffix);
   return text;
 }
 

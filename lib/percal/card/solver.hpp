@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "percal/card/card_material.hpp"
+#include "percal/card/found_card.hpp"
 #include "percal/card/unit_system.hpp"
 
 namespace percal {
@@ -12,6 +13,7 @@ namespace percal {
 enum class Solver { lsdyna, abaqus, calculix, openradioss, febio, ansys };
 
 const std::vector<std::string>& solver_words();  // "lsdyna", ... in the order of Solver
+std::optional<Solver> solver_of_word(const std::string& word);
 
 std::string write_card(Solver solver, const CardMaterial& material, const UnitSystem& units);
 
@@ -21,6 +23,11 @@ std::optional<Solver> solver_of(const std::string& text);
 // The unit system that a comment of a percal card names; nothing where there is none.
 std::optional<UnitSystem> unit_system_of(const std::string& text);
 
+// All Ogden materials of a file. Throws BadInput with file and line for what cannot be read.
+std::vector<FoundCard> read_cards(Solver solver, const std::string& text, const std::string& file,
+                                  const UnitSystem& units);
+
+// The only one. Throws BadInput where there are several.
 CardMaterial read_card(Solver solver, const std::string& text, const std::string& file, const UnitSystem& units);
 
 }  // namespace percal

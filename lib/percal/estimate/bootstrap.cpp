@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/base/progress.hpp"
 #include "percal/estimate/profile.hpp"
 #include "percal/math/draws.hpp"
 #include "percal/math/grid_convergence.hpp"
@@ -82,11 +83,13 @@ Bootstrap bootstrap(const CalibrationProblem& problem, const Minimum& minimum, B
   const std::vector<int> free = free_parameters(problem, {});
   Draws draws(seed);
   std::vector<VectorXd> fitted;
+  Progress progress("bootstrap", replicates);
   for (int replicate = 0; replicate < replicates; ++replicate) {
     const CalibrationProblem again = drawn_anew(near, pools, kind, draws);
     Evaluator evaluator(again);
     const FrozenFit fit = frozen_fit(evaluator, near.weights(), minimum.searched, free);
     if (fit.converged) fitted.push_back(fit.searched);
+    progress.add();
   }
 
   Bootstrap result;

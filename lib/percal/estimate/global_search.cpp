@@ -5,6 +5,7 @@
 #include <nlopt.hpp>
 #include <numeric>
 
+#include "percal/base/progress.hpp"
 #include "percal/estimate/scatter.hpp"
 
 namespace percal {
@@ -38,8 +39,10 @@ struct Search {
   Evaluator& evaluator;
   VectorXd low, width;
   std::vector<Visited> visited;
+  Progress& progress;
 
   double value(const VectorXd& unit) {
+    progress.add();
     const double found = profiled_deviance(evaluator, low + width.cwiseProduct(unit));
     visited.push_back({unit, found});
     return found;
@@ -81,7 +84,8 @@ std::vector<VectorXd> basin_bottoms(std::vector<Visited> visited, int most) {
 
 std::vector<VectorXd> promising_points(Evaluator& evaluator, const SearchOptions& options) {
   const VectorXd low = lower_bounds(evaluator.problem()), high = upper_bounds(evaluator.problem());
-  Search search{evaluator, low, high - low, {}};
+  Progress progress("search for minima", options.global_evaluations);
+  Search search{evaluator, low, high - low, {}, progress};
   search.value(VectorXd::Constant(low.size(), 0.5));
   if (options.global_evaluations > 1) direct(search, options.global_evaluations - 1);
   auto starts = basin_bottoms(std::move(search.visited), std::max(1, options.starts));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "percal/base/error.hpp"
+#include "percal/base/progress.hpp"
 #include "percal/estimate/connected.hpp"
 #include "percal/estimate/frozen_fit.hpp"
 #include "percal/estimate/global_search.hpp"
@@ -155,8 +156,12 @@ std::vector<Minimum> find_minima(const CalibrationProblem& problem, const Search
   check(problem);
   Evaluator evaluator(problem);
   std::vector<Minimum> found;
-  for (const VectorXd& start : promising_points(evaluator, options))
+  const auto starts = promising_points(evaluator, options);
+  Progress progress("fits from the best starts", static_cast<long>(starts.size()));
+  for (const VectorXd& start : starts) {
     found.push_back(settle(evaluator, start, {}, options));
+    progress.add();
+  }
 
   // Converged ones first, then by deviance: those that did not converge are no minima unless nothing else was found.
   std::ranges::stable_sort(found, [](const Minimum& a, const Minimum& b) {

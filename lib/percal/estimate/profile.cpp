@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "percal/base/progress.hpp"
 #include "percal/math/distributions.hpp"
 
 namespace percal {
@@ -142,12 +143,14 @@ std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem
   Surroundings surroundings(problem, minimum);
   const auto p = static_cast<int>(problem.parameters.size());
   std::vector<ProfileInterval> intervals;
+  Progress progress("intervals", p);
   for (int k = 0; k < p; ++k) {
     const double freedom = surroundings.degrees_of_freedom(VectorXd::Unit(p, k));
     const double t = student_quantile((1 + level) / 2, freedom);
     intervals.push_back(trace_profile(surroundings, k, t * t).interval);
     intervals.back().level = level;
     intervals.back().degrees_of_freedom = freedom;
+    progress.add();
   }
   return intervals;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/base/progress.hpp"
 #include "percal/estimate/profile.hpp"
 #include "percal/math/distributions.hpp"
 
@@ -46,11 +47,13 @@ Eigen::MatrixXd rises(Surroundings& near, const RidgeMap& map, const std::vector
   const VectorXd& bottom = near.minimum().searched;
   const int column0 = nearest(x, bottom[map.first]), row0 = nearest(y, bottom[map.second]);
   Eigen::MatrixXd rise(rows, columns);
+  Progress progress("map of the ridge", static_cast<long>(rows) * columns);
   const auto solve = [&](int row, int column, VectorXd start) {
     start[map.first] = x[column];
     start[map.second] = y[row];
     const Point point = near.fit_others(start, {map.first, map.second});
     rise(row, column) = std::min(point.rise, no_answer_rise);
+    progress.add();
     return point.searched;
   };
   std::vector<VectorXd> middle(columns), of_row(rows);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "percal/text/sha256.hpp"
+
 namespace percal {
 namespace {
 
@@ -110,13 +112,16 @@ json left_out_of(const ComparedModel& model) {
 
 json to_json(const CurveData& data) {
   json sources = json::array();
-  for (const auto& source : data.sources)
+  for (const auto& source : data.sources) {
+    const auto digest = sha256_of_file(source.file);
     sources.push_back({{"file", source.file},
+                       {"sha256", digest ? json(*digest) : json(nullptr)},
                        {"x", source.x},
                        {"y", source.y},
                        {"error", source.error.empty() ? json(nullptr) : json(source.error)},
                        {"stress", source.cauchy ? "cauchy" : "nominal"},
                        {"points", source.points}});
+  }
   return sources;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "percal/base/progress.hpp"
 #include "percal/math/draws.hpp"
 
 namespace percal {
@@ -50,11 +51,13 @@ Bootstrap bootstrap_over_points(const CalibrationProblem& problem, const Minimum
   const std::size_t parameters = problem.parameters.size();
   std::vector<Eigen::VectorXd> found;
   Bootstrap bootstrap;
+  Progress progress("bootstrap over points", replicates);
   for (int replicate = 0; replicate < replicates; ++replicate) {
     const auto rows = draw(problem.data.size(), draws);
     const bool enough = std::set<int>(rows.begin(), rows.end()).size() > parameters;
     const Minimum refitted = enough ? refine(drawn(problem, rows), minimum.searched, {}, options) : Minimum{};
     if (refitted.converged) found.push_back(refitted.searched);
+    progress.add();
   }
   bootstrap.failed = replicates - static_cast<int>(found.size());
   bootstrap.searched.resize(static_cast<Eigen::Index>(found.size()), static_cast<Eigen::Index>(parameters));

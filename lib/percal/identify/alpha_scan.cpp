@@ -50,8 +50,10 @@ AlphaFinding choose_alpha(const std::vector<AlphaTrial>& trials, int pairs) {
                        .score = best.mean,
                        .lowest = best.alpha,
                        .highest = best.alpha,
-                       .at_edge = best.alpha == scores.front().alpha || best.alpha == scores.back().alpha};
+                       .at_edge = best.alpha == scores.front().alpha || best.alpha == scores.back().alpha,
+                       .trials = trials};
   for (const Score& score : scores) {
+    finding.scores.push_back({score.alpha, score.mean});
     if (score.mean > best.mean + best.error) continue;
     finding.lowest = std::min(finding.lowest, score.alpha);
     finding.highest = std::max(finding.highest, score.alpha);

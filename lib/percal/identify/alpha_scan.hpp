@@ -14,6 +14,12 @@ struct AlphaTrial {
   bool usable = true;
 };
 
+// Mean |depth/target - 1| over the pairs at one alpha, of the smoothed depths.
+struct AlphaScore {
+  double alpha = 0;
+  double mean = 0;
+};
+
 struct AlphaFinding {
   double alpha = 0;                // the chosen one
   double best = 0;                 // where the score is least
@@ -22,6 +28,8 @@ struct AlphaFinding {
   double score = 0;                // of the chosen alpha
   double lowest = 0, highest = 0;  // the alphas whose score is within one standard error of the best
   bool at_edge = false;            // the best alpha is the first or last candidate: the scan should go further
+  std::vector<AlphaTrial> trials = {};
+  std::vector<AlphaScore> scores = {};  // from the first candidate to the last
 };
 
 // Smooths each pair's ln depth by a line in alpha (the trials' noise is larger than the curvature over a scan), scores every

@@ -2,10 +2,12 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "percal/identify/identification.hpp"
 #include "percal/identify/steps.hpp"
 #include "percal/identify/tables.hpp"
+#include "percal/text/sha256.hpp"
 
 namespace percal {
 namespace {
@@ -139,8 +141,7 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
       job.volumetric, job.ridge.elements_per_radius);
   CardMaterial card{.name = job.card_name,
                     .density = job.tissue.density,
-                    .mu_true = mu_true,
-                    .alpha = found.alpha,
+                    .terms = {{mu_true, found.alpha}},
                     .bulk_modulus = reduce(calibration).bulk_modulus,
                     .erosion = CardErosion{found.tissue.erosion->strain, job.measure},
                     .comments = job.card_comments};
@@ -148,6 +149,8 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
   if (found.alpha_scan)
     card.comments.push_back(fmt::format("alpha is fitted, and no better known than {:.2f} to {:.2f}",
                                         found.alpha_scan->lowest, found.alpha_scan->highest));
+  if (const auto digest = sha256_of_file(job.file))
+    card.data.push_back({std::filesystem::path(job.file).filename().string(), *digest});
   return card;
 }
 

@@ -104,6 +104,7 @@ struct TrendTable {
   std::string name, x_name, y_name, unit;
   std::vector<double> x, y;       // in the columns' units
   double x_unit = 1, y_unit = 1;  // of one, in SI
+  std::vector<double> reference;  // another program's y, in y's unit; empty where there is none
   std::optional<double> reference_slope, reference_intercept;
 };
 

@@ -197,6 +197,11 @@ TrendTable read_trend(const TomlTable& block) {
   };
   trend.x = in_own_unit("x", trend.x_unit);
   trend.y = in_own_unit("y", trend.y_unit);
+  if (block.has("reference_column")) {
+    double unit = 1;
+    trend.reference = in_own_unit("reference_column", unit);
+    for (double& value : trend.reference) value *= unit / trend.y_unit;
+  }
   trend.unit =
       table.columns[table.column(trend.y_name)].unit + " per " + table.columns[table.column(trend.x_name)].unit;
   check_line(block, "x", trend.x);

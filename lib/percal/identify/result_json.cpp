@@ -5,6 +5,7 @@
 
 #include "percal/base/version.hpp"
 #include "percal/card/card_json.hpp"
+#include "percal/identify/figures_json.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal {
@@ -63,7 +64,7 @@ Json ridge_to_json(const IdentifyJob& job, const Identification& found) {
   return ridge;
 }
 
-Json alpha_to_json(const Identification& found) {
+Json alpha_to_json(const IdentifyJob& job, const Identification& found) {
   if (!found.alpha_scan) return {{"value", found.alpha}, {"from", "given"}};
   const AlphaFinding& scan = *found.alpha_scan;
   return {{"value", found.alpha},
@@ -75,7 +76,9 @@ Json alpha_to_json(const Identification& found) {
           {"indistinguishable_from", scan.lowest},
           {"indistinguishable_to", scan.highest},
           {"at_edge", scan.at_edge},
-          {"ridge_is_in_sample", true}};
+          {"ridge_is_in_sample", true},
+          {"trials", identification_json::alpha_trials_to_json(job, found)},
+          {"scores", identification_json::alpha_scores_to_json(found)}};
 }
 
 Json tissue_to_json(const IdentifyJob& job, const Identification& found) {
@@ -104,6 +107,11 @@ Json similarity_to_json(const IdentifyJob& job, const Identification& found) {
           {"mu_as_given_Pa", found.gelatin.high_rate[s.formulation]}};
 }
 
+std::string word(const PredictionMaterial& material) {
+  if (std::holds_alternative<PairGiven>(material)) return "given";
+  return std::holds_alternative<IdentifiedTissue>(material) ? "tissue" : "model";
+}
+
 Json predictions_to_json(const Identification& found) {
   Json all = Json::array();
   for (const PredictionResult& result : found.predictions)
@@ -112,7 +120,11 @@ Json predictions_to_json(const Identification& found) {
       const Shooting& shooting = result.shots[i];
       const Penetration& p = shooting.penetration;
       all.push_back({{"system", result.set->system},
+                     {"material", word(result.set->material)},
+                     {"elements_per_radius", result.set->elements_per_radius},
                      {"particle", shot.particle},
+                     {"particle_density_kg_m3", shot.density},
+                     {"mu_true_Pa", shooting.reduction.mu_true},
                      {"target_density_kg_m3", result.set->target_density},
                      {"radius_m", shot.radius},
                      {"speed_m_s", shot.speed},
@@ -148,9 +160,25 @@ Json model_check_to_json(const Identification& found) {
           {"expected_m", found.similarity.penetration}};
 }
 
+Json calibration_to_json(const IdentifyJob& job) {
+  Json calibration = identification_json::sphere_to_json(job.calibration);
+  calibration["penetration_m"] = job.penetration;
+  calibration["penetration_standard_error_m"] = maybe(job.penetration_error);
+  return calibration;
+}
+
+Json model_to_json(const IdentifyJob& job, const Identification& found) {
+  Json model = identification_json::sphere_to_json(job.model);
+  model["material"] = job.gelatin.name;
+  model["density_kg_m3"] = job.gelatin.density;
+  model["formulations"] = identification_json::formulations_to_json(job, found);
+  return model;
+}
+
 }  // namespace
 
 Json identification_to_json(const IdentifyJob& job, const Identification& found, const IdentifyCost& cost) {
+  using namespace identification_json;
   const GelatinLaw& law = found.gelatin.law;
   return {
       {"schema", result_schema},
@@ -160,20 +188,30 @@ Json identification_to_json(const IdentifyJob& job, const Identification& found,
       {"input", {{"job", job.file}, {"toml", read_file(job.file)}}},
       {"title", job.title},
       {"complete", found.complete()},
+      {"calibration", calibration_to_json(job)},
+      {"model", model_to_json(job, found)},
       {"gelatin_law", {{"k_Pa", law.factor}, {"n", law.exponent}, {"k_standard_error_Pa", maybe(law.factor_error)}}},
-      {"alpha", alpha_to_json(found)},
+      {"alpha", alpha_to_json(job, found)},
       {"ridge", ridge_to_json(job, found)},
       {"similarity", similarity_to_json(job, found)},
       {"skin", tissue_to_json(job, found)},
       {"model_check", model_check_to_json(found)},
+      {"mesh_study", mesh_study_to_json(job, found)},
       {"predictions", predictions_to_json(found)},
       {"prediction_means", prediction_means_to_json(found)},
+      {"trends", trends_to_json(job)},
+      {"scaled_line", scaled_line_to_json(job, found)},
+      {"left_out", left_out_to_json(job, found)},
       {"card", found.card ? card_to_json(*found.card) : Json(nullptr)},
       {"steps", tables_to_json(job, found.steps)},
       {"tables", tables_to_json(job, found.tables)},
       {"findings", found.findings},
       {"cost",
-       {{"runs", cost.runs}, {"reused", cost.reused}, {"wall_s", cost.wall_seconds}, {"cpu_s", cost.cpu_seconds}}}};
+       {{"runs", cost.runs},
+        {"reused", cost.reused},
+        {"wall_s", cost.wall_seconds},
+        {"cpu_s", cost.cpu_seconds},
+        {"mesh_study", mesh_cost_to_json(job, found)}}}};
 }
 
 }  // namespace percal

@@ -102,6 +102,15 @@ scalar::Piola<double> Body::first_piola(int element) const {
   return piola(solid_, F, scalar::stretches(F), 0);
 }
 
+double Body::energy_density(int element) const {
+  const auto F = gradient(element);
+  const auto s = scalar::stretches(F);
+  const auto g = scalar::isochoric_powers(F, s, solid_.alpha);
+  const double J = s.jacobian;
+  return 2 * solid_.mu / (solid_.alpha * solid_.alpha) * (g.first + g.second + g.hoop - 3) +
+         solid_.bulk / 4 * (J * J - 1 - 2 * std::log(J));
+}
+
 double Body::smallest_jacobian() const {
   double smallest = std::numeric_limits<double>::infinity();
   for (int e = 0; e < elements(); ++e) smallest = std::min(smallest, scalar::stretches(gradient(e)).unbounded_jacobian);
@@ -202,13 +211,7 @@ BodyEnergy Body::energy() const {
   BodyEnergy energy;
   for (int n = 0; n < nodes(); ++n) energy.kinetic += mass_[n] / 2 * dot(velocity_[n], velocity_[n]);
   for (int e = 0; e < elements(); ++e) {
-    const auto F = gradient(e);
-    const auto s = scalar::stretches(F);
-    const auto g = scalar::isochoric_powers(F, s, solid_.alpha);
-    const double J = s.jacobian;
-    energy.elastic +=
-        forms_[e].volume * (2 * solid_.mu / (solid_.alpha * solid_.alpha) * (g.first + g.second + g.hoop - 3) +
-                            solid_.bulk / 4 * (J * J - 1 - 2 * std::log(J)));
+    energy.elastic += forms_[e].volume * energy_density(e);
     for (int d = 0; d < 2; ++d) {
       double pattern = 0;
       for (int a = 0; a < 4; ++a) pattern += forms_[e].mode[a] * displacement_[mesh_.elements[e][a]][d];

@@ -77,6 +77,7 @@ class Body {
   // The state of one element's point.
   scalar::Gradient<double> gradient(int element) const;
   scalar::Piola<double> first_piola(int element) const;  // without viscosity
+  double energy_density(int element) const;              // elastic, per undeformed volume
   double smallest_jacobian() const;  // not positive: the body is inverted, and its results mean nothing
 
  private:

@@ -61,6 +61,7 @@ class ElasticSphereRun {
   Overlap overlap(double x, double z) const;
   PointVelocity velocity_at(double x, double z) const;
   ParticleEnergy energy() const;
+  ParticlePiece piece(const Problem& problem) const;
   // Largest so far, of the contact springs on a node of the outline over its mass, with a margin.
   double spring_stiffness_per_mass() const { return spring_stiffness_per_mass_; }
   // Why the run cannot go on, in words; empty where it can.

@@ -1,6 +1,7 @@
 #include "percal/impact/ledger.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "percal/impact/uniform_solid.hpp"
 #include "percal/impact/volumetric_law.hpp"
@@ -13,7 +14,30 @@ namespace {
 constexpr double along_r[4] = {-0.5, 0.5, 0.5, -0.5}, along_z[4] = {-0.5, -0.5, 0.5, 0.5};
 constexpr double hourglass_mode[4] = {1, -1, 1, -1};
 
+template <class Real>
+std::array<long, 4> corners_of(const Block<Real>& block, int column, int row) {
+  return {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1), block.at(column, row + 1)};
+}
+
 }  // namespace
+
+template <class Real>
+scalar::Gradient<double> element_gradient(const Block<Real>& block, int column, int row) {
+  const auto& view = block.view();
+  const auto& shape = block.shapes()[column];
+  const auto corner = corners_of(block, column, row);
+  scalar::Gradient<double> F{1, 0, 0, 1, 1};
+  for (int a = 0; a < 4; ++a) {
+    const double ur = view.u_r[corner[a]], uz = view.u_z[corner[a]];
+    F.rr += along_r[a] * ur / shape.width;
+    F.rz += along_z[a] * ur / shape.height;
+    F.zr += along_r[a] * uz / shape.width;
+    F.zz += along_z[a] * uz / shape.height;
+    F.hoop += ur * shape.per_radius / 4;
+  }
+  F.hoop = std::max(F.hoop, 1e-3);
+  return F;
+}
 
 template <class Real>
 ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid, int column, int row,
@@ -21,24 +45,16 @@ ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid,
   const MaterialConstants& material = solid.of_row(row);
   const auto& view = block.view();
   const auto& shape = block.shapes()[column];
-  const long corner[4] = {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1),
-                          block.at(column, row + 1)};
+  const auto corner = corners_of(block, column, row);
   const double width = shape.width, height = shape.height, thickness = shape.thickness, per_radius = shape.per_radius,
                volume = thickness * width * height;
 
-  scalar::Gradient<double> F{1, 0, 0, 1, 1};
+  const auto F = element_gradient(block, column, row);
   double mode_r = 0, mode_z = 0;
   for (int a = 0; a < 4; ++a) {
-    const double ur = view.u_r[corner[a]], uz = view.u_z[corner[a]];
-    F.rr += along_r[a] * ur / width;
-    F.rz += along_z[a] * ur / height;
-    F.zr += along_r[a] * uz / width;
-    F.zz += along_z[a] * uz / height;
-    F.hoop += ur * per_radius / 4;
-    mode_r += hourglass_mode[a] * ur;
-    mode_z += hourglass_mode[a] * uz;
+    mode_r += hourglass_mode[a] * view.u_r[corner[a]];
+    mode_z += hourglass_mode[a] * view.u_z[corner[a]];
   }
-  F.hoop = std::max(F.hoop, 1e-3);
   const auto s = scalar::stretches(F);
   const auto g = scalar::isochoric_powers(F, s, material.alpha);
   const double J = s.jacobian, alpha = material.alpha, mu = material.mu * solid.lasting_share();
@@ -66,18 +82,18 @@ ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid,
 }
 
 template <class Real>
-EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid) {
+EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid, int rows) {
   const auto& view = block.view();
   const auto& mesh = block.mesh();
   EnergyLedger energy;
   for (int i = 0; i <= mesh.columns(); ++i)
-    for (int j = 0; j <= mesh.rows; ++j) {
+    for (int j = 0; j <= rows; ++j) {
       const double vr = view.v_r[block.at(i, j)], vz = view.v_z[block.at(i, j)];
       const double kinetic = 0.5 * block.mass(i, j) * (vr * vr + vz * vz);
       (block.has_live_element(i, j) ? energy.live_kinetic : energy.freed_mass) += kinetic;
     }
   for (int i = 0; i < mesh.columns(); ++i)
-    for (int j = 0; j < mesh.rows; ++j)
+    for (int j = 0; j < rows; ++j)
       if (view.alive[block.at(i, j)] > 0) {
         const auto element = element_energy(block, solid, i, j, 0);
         energy.elastic += element.elastic;
@@ -86,9 +102,11 @@ EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid) {
   return energy;
 }
 
+template scalar::Gradient<double> element_gradient(const Block<float>&, int, int);
+template scalar::Gradient<double> element_gradient(const Block<double>&, int, int);
 template ElementEnergy element_energy(const Block<float>&, const TargetSolid&, int, int, double);
 template ElementEnergy element_energy(const Block<double>&, const TargetSolid&, int, int, double);
-template EnergyLedger stored_energy(const Block<float>&, const TargetSolid&);
-template EnergyLedger stored_energy(const Block<double>&, const TargetSolid&);
+template EnergyLedger stored_energy(const Block<float>&, const TargetSolid&, int);
+template EnergyLedger stored_energy(const Block<double>&, const TargetSolid&, int);
 
 }  // namespace percal

@@ -5,6 +5,7 @@
 
 #include "percal/impact/constants.hpp"
 #include "percal/impact/elastic_sphere.hpp"
+#include "percal/impact/frame.hpp"
 #include "percal/impact/ledger.hpp"
 #include "percal/impact/particle.hpp"
 #include "percal/impact/recorder.hpp"
@@ -16,10 +17,10 @@ namespace {
 
 // One run: central differences in leapfrog form, velocities half a step behind displacements until synchronise(). Elements near
 // the particle, and the particle, take `substeps_` short steps while the far ones take a long one.
-template <class Real, class ParticleRun, class HistoryOf>
+template <class Real, class ParticleRun, class HistoryOf, class FramesOf>
 class March {
  public:
-  March(const Problem& problem, const HistoryOf& history, int threads)
+  March(const Problem& problem, const HistoryOf& history, const FramesOf& frames, int threads)
       : problem_(problem),
         kernel_(kernel<Real>()),
         limits_(step_limits(problem)),
@@ -28,6 +29,7 @@ class March {
         sweep_(block_, kernel_, solid_, threads),
         particle_(problem),
         recorder_(history),
+        frames_(frames),
         substeps_(problem.rates) {
     impact_energy_ = particle_.energy().kinetic;
     rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
@@ -48,7 +50,8 @@ class March {
       find_all_forces();
       if (has_ended()) break;
       choose_step();
-      recorder_.record({time_, particle_.tip(), particle_.speed(), force()});
+      recorder_.record([this] { return history_point(); });
+      frames_.look(moment(), [this] { return frame(); });
       move_far(0.5 * (last_far_step_ + far_step()), far_step());
       move_near(0.5 * (last_step_ + step_), step_);
       for (int substep = 1; substep < substeps_; ++substep) {
@@ -272,16 +275,38 @@ class March {
     move_near(0.5 * short_step, 0);
   }
 
-  double target_momentum() const {
-    double sum = 0;
-    for (int i = 0; i <= block_.mesh().columns(); ++i)
-      for (int j = 0; j <= block_.mesh().rows; ++j) sum += block_.mass(i, j) * block_.view().v_z[block_.at(i, j)];
-    const double particle_mass = 2 * impact_energy_ / (problem_.speed_factor * problem_.speed_factor);
-    return sum / particle_mass;
+  // What look() makes of this moment, with velocities at the time of the displacements. Afterwards all stands where it stood.
+  template <class Look>
+  auto at_one_time(const Look& look) {
+    const std::vector<Real> motion = block_.motion();
+    const ParticleRun particle = particle_;
+    const double last_step = last_step_;
+    synchronise();
+    auto seen = look();
+    block_.put_back(motion);
+    particle_ = particle;
+    last_step_ = last_step;
+    return seen;
   }
 
-  void close_the_books() {
-    EnergyLedger energy = stored_energy(block_, solid_);
+  HistoryPoint history_point() {
+    const auto shares = [this] { return energy_shares(rows_moving_); };
+    return {time_, particle_.tip(), particle_.speed(), force(), at_one_time(shares)};
+  }
+
+  Moment moment() const { return {time_, particle_.tip(), result_.steps}; }
+
+  // Velocities as they stand.
+  Frame frame_as_is(bool is_last) const {
+    return {moment(), is_last, target_piece(block_, solid_), particle_.piece(problem_)};
+  }
+  Frame frame() {
+    return at_one_time([this] { return frame_as_is(false); });
+  }
+
+  // Of the rows down to this one; velocities stand at the time of the displacements.
+  EnergyLedger energy_shares(int rows) const {
+    EnergyLedger energy = stored_energy(block_, solid_, rows);
     const ParticleEnergy own = particle_.energy();
     energy.particle = own.kinetic;
     energy.particle_elastic = own.stored;
@@ -291,13 +316,27 @@ class March {
     energy.contact = far_contact_.spring_energy + near_contact_.spring_energy;
     energy.contact_dropped = dropped_energy_;
     for (const auto& [key, share] : energy_terms) energy.*share /= impact_energy_;
+    return energy;
+  }
+
+  double target_momentum() const {
+    double sum = 0;
+    for (int i = 0; i <= block_.mesh().columns(); ++i)
+      for (int j = 0; j <= block_.mesh().rows; ++j) sum += block_.mass(i, j) * block_.view().v_z[block_.at(i, j)];
+    const double particle_mass = 2 * impact_energy_ / (problem_.speed_factor * problem_.speed_factor);
+    return sum / particle_mass;
+  }
+
+  void close_the_books() {
+    const EnergyLedger energy = energy_shares(block_.mesh().rows);
     result_.energy = energy;
     result_.end_time = time_;
     result_.end_speed = particle_.speed();
     result_.sideways = particle_.sideways();
     result_.turn = particle_.turn();
     result_.target_momentum = target_momentum();
-    recorder_.finish({time_, particle_.tip(), particle_.speed(), force()});
+    recorder_.finish({time_, particle_.tip(), particle_.speed(), force(), energy});
+    frames_.finish([this] { return frame_as_is(true); });
     result_.history = recorder_.take();
     result_.helper_cpu_seconds = sweep_.helper_cpu_seconds();
     const bool closes = std::abs(energy.closure()) <= tolerated_energy_error;  // false for NaN
@@ -312,6 +351,7 @@ class March {
   Sweep<Real> sweep_;
   ParticleRun particle_;
   Recorder<HistoryOf> recorder_;
+  const FramesOf frames_;
   const int substeps_;
   NearCells before_;         // those of the last move
   NearCells near_;           // elements that take the short step
@@ -342,22 +382,30 @@ struct RunOf<ElasticSphere> {
   using type = ElasticSphereRun;
 };
 
-template <class Real>
-ImpactResult compose_and_run(const Problem& problem, int threads) {
+template <class Real, class FramesOf>
+ImpactResult compose_and_run(const Problem& problem, const FramesOf& frames, int threads) {
   return std::visit(
       [&]([[maybe_unused]] const auto& particle, const auto& history) {
         using ParticleOf = std::decay_t<decltype(particle)>;
         using HistoryOf = std::decay_t<decltype(history)>;
-        return March<Real, typename RunOf<ParticleOf>::type, HistoryOf>(problem, history, threads).run();
+        using MarchOf = March<Real, typename RunOf<ParticleOf>::type, HistoryOf, FramesOf>;
+        return MarchOf(problem, history, frames, threads).run();
       },
       problem.particle, problem.history);
 }
 
+template <class FramesOf>
+ImpactResult run_with(const Problem& problem, const FramesOf& frames, int threads) {
+  return problem.arithmetic == Arithmetic::single_precision ? compose_and_run<float>(problem, frames, threads)
+                                                            : compose_and_run<double>(problem, frames, threads);
+}
+
 }  // namespace
 
-ImpactResult run_impact(const Problem& problem, int threads) {
-  return problem.arithmetic == Arithmetic::single_precision ? compose_and_run<float>(problem, threads)
-                                                            : compose_and_run<double>(problem, threads);
+ImpactResult run_impact(const Problem& problem, int threads) { return run_with(problem, NoFrames{}, threads); }
+
+ImpactResult run_impact(const Problem& problem, FrameObserver& observer, int threads) {
+  return run_with(problem, Frames{observer}, threads);
 }
 
 }  // namespace percal

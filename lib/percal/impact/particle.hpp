@@ -7,6 +7,7 @@
 //   overlap, velocity_at   of one point with the particle
 //   energy                 kinetic, and what it holds and loses where it deforms
 //   failure                why the run cannot go on, in words
+//   piece                  what an observer sees of it (frame.hpp)
 #pragma once
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "percal/impact/frame.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/impact/state.hpp"
 #include "percal/problem/problem.hpp"
@@ -90,6 +92,7 @@ class SphereRun : public NeverDeforms {
   }
   PointVelocity velocity_at(double, double) const { return {0, speed_}; }
   ParticleEnergy energy() const { return {.kinetic = 0.5 * mass_ * speed_ * speed_}; }
+  ParticlePiece piece(const Problem& problem) const;
 
  private:
   double centre() const { return tip_ - 1; }
@@ -129,6 +132,7 @@ class ProfileRun : public NeverDeforms {
     const double moving = mass_ * (speed_ * speed_ + sideways_speed_ * sideways_speed_);
     return {.kinetic = 0.5 * (moving + inertia_ * spin_ * spin_)};
   }
+  ParticlePiece piece(const Problem& problem) const;
 
  private:
   void turn_sides();

@@ -1,5 +1,7 @@
-// Keeps the penetration history: nothing at all, or about as many evenly spaced points as asked for.
+// Keeps the penetration history: nothing at all, or about as many evenly spaced points as asked for. A point is made only
+// where it is kept, for its energies take a walk over the mesh.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -16,21 +18,28 @@ template <>
 class Recorder<NoHistory> {
  public:
   explicit Recorder(const NoHistory&) {}
-  void record(const HistoryPoint&) {}
+  template <class Make>
+  void record(const Make&) {}
   void finish(const HistoryPoint&) {}
   std::vector<HistoryPoint> take() { return {}; }
 };
 static_assert(std::is_empty_v<Recorder<NoHistory>>);
 
+// Few runs take fewer long steps; the points of the first of them would all be made only to go again.
+inline constexpr long usual_steps = 1600;
+
 // Keeps every stride-th point; when there are twice as many as asked for, every second one goes and the stride doubles.
 template <>
 class Recorder<History> {
  public:
-  explicit Recorder(const History& history) : most_(2 * static_cast<std::size_t>(history.samples)) {}
+  explicit Recorder(const History& history)
+      : most_(2 * static_cast<std::size_t>(history.samples)), stride_(std::max(1L, usual_steps / history.samples)) {}
 
-  void record(const HistoryPoint& point) {
+  // make() returns the HistoryPoint.
+  template <class Make>
+  void record(const Make& make) {
     if (seen_++ % stride_ != 0) return;
-    points_.push_back(point);
+    points_.push_back(make());
     if (points_.size() < most_) return;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < points_.size(); k += 2) points_[kept++] = points_[k];
@@ -46,7 +55,7 @@ class Recorder<History> {
 
  private:
   std::size_t most_;
-  long seen_ = 0, stride_ = 1;
+  long seen_ = 0, stride_;
   std::vector<HistoryPoint> points_;
 };
 

@@ -53,8 +53,9 @@ inline constexpr EnergyTerm energy_terms[] = {{"particle", &EnergyLedger::partic
 struct HistoryPoint {
   double time;   // radii over impact speed
   double tip;    // depth of the tip, radii
-  double speed;  // over impact speed
+  double speed;  // over impact speed, half a step behind
   double force;  // on the sphere, upwards, over rho_t v^2 a^2 per radian
+  EnergyLedger energy = {};  // at this time, velocities too
 };
 
 struct ImpactResult {

@@ -138,6 +138,24 @@ void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass
     }
 }
 
+template <class Real>
+std::vector<Real> Block<Real>::motion() const {
+  std::vector<Real> motion;
+  motion.reserve(4 * entries_);
+  for (const Real* field : {view_.u_r, view_.u_z, view_.v_r, view_.v_z})
+    motion.insert(motion.end(), field, field + entries_);
+  return motion;
+}
+
+template <class Real>
+void Block<Real>::put_back(const std::vector<Real>& motion) {
+  auto from = motion.begin();
+  for (Real* field : {view_.u_r, view_.u_z, view_.v_r, view_.v_z}) {
+    std::copy_n(from, entries_, field);
+    from += static_cast<std::ptrdiff_t>(entries_);
+  }
+}
+
 template class Block<float>;
 template class Block<double>;
 

@@ -38,6 +38,10 @@ class Block {
   double mass(int column, int row) const { return column_mass_[column] * row_density_[row]; }
   std::size_t bytes() const { return bytes_; }
 
+  // Displacements and velocities of all nodes, to be put back to the last bit.
+  std::vector<Real> motion() const;
+  void put_back(const std::vector<Real>& motion);
+
   // Takes an element out; calls freed(node column, node row) for each corner that thereby loses its last element. Such
   // nodes meet the particle no more unless `keep_contact`.
   template <class Freed>

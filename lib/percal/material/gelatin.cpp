@@ -16,7 +16,7 @@ GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<con
   return fit_power_law(concentrations, moduli, misfit);
 }
 
-RateFactor fit_rate_factor(std::span<const double> quasi_static, std::span<const double> high_rate) {
+MeanRateFactor fit_rate_factor(std::span<const double> quasi_static, std::span<const double> high_rate) {
   if (quasi_static.size() != high_rate.size() || quasi_static.empty())
     throw BadInput("rate factor: found " + std::to_string(quasi_static.size()) + " quasi-static and " +
                    std::to_string(high_rate.size()) + " high-rate moduli; accepted: one of each for every formulation");

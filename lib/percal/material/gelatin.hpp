@@ -16,11 +16,11 @@ GelatinLaw fit_gelatin_law(std::span<const double> concentrations, std::span<con
 
 // How many times stiffer the material is at the impact's rate of strain: the mean of high-rate over quasi-static
 // modulus, with the sample standard deviation of one formulation (0 for a single one). Same length, positive.
-struct RateFactor {
+struct MeanRateFactor {
   double factor;
   double deviation;
 };
-RateFactor fit_rate_factor(std::span<const double> quasi_static, std::span<const double> high_rate);
+MeanRateFactor fit_rate_factor(std::span<const double> quasi_static, std::span<const double> high_rate);
 
 double high_rate_modulus(double mu_quasi_static, double rate_factor);
 double quasi_static_modulus(double mu_high_rate, double rate_factor);

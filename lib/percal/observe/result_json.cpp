@@ -83,16 +83,51 @@ Evaluation from_payload(const std::string& payload) {
   return evaluation;
 }
 
+namespace {
+
+// Forces inside are per radian and in units of rho_t v^2 a^2.
+struct HistoryUnits {
+  explicit HistoryUnits(const Scales& scales)
+      : time(scales.radius / scales.speed),
+        length(scales.radius),
+        speed(scales.speed),
+        force(2 * std::numbers::pi * scales.target_density * scales.speed * scales.speed * scales.radius *
+              scales.radius) {}
+  double time, length, speed, force;
+};
+
+}  // namespace
+
 std::string history_csv(const std::vector<HistoryPoint>& history, const Scales& scales) {
-  // Forces inside are per radian and in units of rho_t v^2 a^2.
-  const double force =
-      2 * std::numbers::pi * scales.target_density * scales.speed * scales.speed * scales.radius * scales.radius;
-  const double time = scales.radius / scales.speed;
-  std::string csv = "time_s,tip_m,speed_m_s,force_N\n";
-  for (const auto& point : history)
-    csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", point.time * time, point.tip * scales.radius,
-                       point.speed * scales.speed, point.force * force);
+  const HistoryUnits unit(scales);
+  std::string csv = "time_s,tip_m,speed_m_s,force_N";
+  for (const auto& [key, share] : energy_terms) csv += fmt::format(",energy_{}", key);
+  csv += ",energy_sum\n";
+  for (const auto& point : history) {
+    csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}", point.time * unit.time, point.tip * unit.length,
+                       point.speed * unit.speed, point.force * unit.force);
+    for (const auto& [key, share] : energy_terms) csv += fmt::format(",{:.9g}", point.energy.*share);
+    csv += fmt::format(",{:.9g}\n", point.energy.sum());
+  }
   return csv;
+}
+
+Json history_to_json(const std::vector<HistoryPoint>& history, const Scales& scales) {
+  const HistoryUnits unit(scales);
+  const auto column = [&](const auto& value) {
+    Json numbers = Json::array();
+    for (const HistoryPoint& point : history) numbers.push_back(finite(value(point)));
+    return numbers;
+  };
+  Json energy = Json::object();
+  for (const auto& [key, share] : energy_terms)
+    energy[key] = column([term = share](const HistoryPoint& p) { return p.energy.*term; });
+  energy["sum"] = column([](const HistoryPoint& p) { return p.energy.sum(); });
+  return {{"time_s", column([&](const HistoryPoint& p) { return p.time * unit.time; })},
+          {"tip_m", column([&](const HistoryPoint& p) { return p.tip * unit.length; })},
+          {"speed_m_s", column([&](const HistoryPoint& p) { return p.speed * unit.speed; })},
+          {"force_N", column([&](const HistoryPoint& p) { return p.force * unit.force; })},
+          {"energy", energy}};
 }
 
 }  // namespace percal

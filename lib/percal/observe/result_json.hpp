@@ -14,7 +14,9 @@ Evaluation from_payload(const std::string& payload);
 
 nlohmann::json energy_to_json(const EnergyLedger& energy);
 
-// t, tip, speed and force in SI as CSV with units in the header.
+// Time, tip, speed and force in SI and the energies' shares as CSV with units in the header.
 std::string history_csv(const std::vector<HistoryPoint>& history, const Scales& scales);
+// The same columns: {"time_s": [...], "tip_m", "speed_m_s", "force_N", "energy": {term: [...], "sum": [...]}}.
+nlohmann::json history_to_json(const std::vector<HistoryPoint>& history, const Scales& scales);
 
 }  // namespace percal

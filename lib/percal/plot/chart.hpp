@@ -19,24 +19,24 @@ struct Series {
   std::string name;  // in the key; empty: not listed
   Mark mark = Mark::line;
   int colour = 0;  // index into the palette, taken modulo its length; grey: -1
-  std::vector<double> x, y;
-  std::vector<double> low, high;  // of bars and bands, else empty
+  std::vector<double> x = {}, y = {};
+  std::vector<double> low = {}, high = {};  // of bars and bands, else empty
 };
 
 struct Axis {
   std::string label;  // with its unit: "stretch", "depth, um"
   bool logarithmic = false;
-  std::optional<double> low, high;                   // of the range; free where not given
-  std::vector<std::pair<double, std::string>> tics;  // empty: gnuplot's own
+  std::optional<double> low = {}, high = {};              // of the range; free where not given
+  std::vector<std::pair<double, std::string>> tics = {};  // empty: gnuplot's own
 };
 
 struct Chart {
   std::string title;
   Axis x, y;
-  std::vector<Series> series;
-  std::optional<Axis> upper;  // a second x axis above, x times upper_factor
+  std::vector<Series> series = {};
+  std::optional<Axis> upper = {};  // a second x axis above, x times upper_factor
   double upper_factor = 1;
-  std::vector<std::string> remarks;  // comment lines at the head of the CSV
+  std::vector<std::string> remarks = {};  // comment lines at the head of the CSV
 };
 
 // To be kept as NAME.csv, NAME.svg, NAME.png.

@@ -1,19 +1,21 @@
 #include "percal/plot/gnuplot.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 
+#include "percal/plot/svg.hpp"
+
 extern char** environ;
 
 namespace percal {
 namespace {
-
-constexpr std::size_t largest_script = 60000;  // a pipe holds 64 KiB: it takes the whole script before anybody reads
 
 class Pipe {
  public:
@@ -36,10 +38,20 @@ class Pipe {
   bool is_open_ = false;
 };
 
-bool put(Pipe& pipe, const std::string& text) {
-  const bool done = write(pipe.end(1), text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  pipe.close_end(1);
-  return done;
+// The script as a file without a name, of any length; -1 where there is no room.
+int file_with(const std::string& script) {
+  const int file = memfd_create("script", MFD_CLOEXEC);
+  for (std::size_t done = 0; file >= 0 && done < script.size();) {
+    const ssize_t written = write(file, script.data() + done, script.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      close(file);
+      return -1;
+    }
+    done += static_cast<std::size_t>(written);
+  }
+  if (file >= 0) lseek(file, 0, SEEK_SET);
+  return file;
 }
 
 std::string take_all(Pipe& pipe) {
@@ -56,11 +68,12 @@ std::string take_all(Pipe& pipe) {
 }  // namespace
 
 std::optional<std::string> gnuplot(const std::string& script) {
-  Pipe in, out;
-  if (!in.is_open() || !out.is_open() || script.size() > largest_script || !put(in, script)) return std::nullopt;
+  Pipe out;
+  const int input = out.is_open() ? file_with(script) : -1;
+  if (input < 0) return std::nullopt;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.end(0), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, out.end(1), STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   char name[] = "gnuplot";
@@ -68,6 +81,7 @@ std::optional<std::string> gnuplot(const std::string& script) {
   pid_t child = 0;
   const int result = posix_spawnp(&child, name, &actions, nullptr, words, environ);
   posix_spawn_file_actions_destroy(&actions);
+  close(input);
   if (result != 0) return std::nullopt;
   const std::string text = take_all(out);
   int status = 0;
@@ -75,6 +89,21 @@ std::optional<std::string> gnuplot(const std::string& script) {
   }
   const bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !text.empty();
   return done ? std::optional(text) : std::nullopt;
+}
+
+std::optional<std::string> draw_svg(const Plot& plot, const Canvas& canvas, const std::string& prefix) {
+  if (plot.script.empty()) return std::nullopt;
+  const auto svg = gnuplot(fmt::format("set terminal svg size {},{} dynamic font \"sans,{}\"\n", canvas.width,
+                                       canvas.height, canvas.font_size) +
+                           plot.script);
+  return svg ? std::optional(tidy_svg(*svg, prefix)) : std::nullopt;
+}
+
+std::optional<std::string> draw_svg(const Plot& plot) { return draw_svg(plot, wide_canvas, plot.name); }
+
+std::optional<std::string> draw_png(const Plot& plot) {
+  if (plot.script.empty()) return std::nullopt;
+  return gnuplot("set terminal pngcairo size 1080,660 pointscale 1.4 linewidth 1.2 font \"sans,13\" background rgb \"white\"\n" + plot.script);
 }
 
 }  // namespace percal

@@ -1,4 +1,5 @@
-// A page as one self-contained HTML file: style and figures are inside it, nothing is fetched, there is no script.
+// A page as one self-contained HTML file: style and figures are inside it, nothing is fetched, there is no script,
+// and the page's own security policy forbids both.
 #pragma once
 #include <map>
 #include <string>

@@ -9,7 +9,7 @@ void refuse_keys(const TomlTable& table, const std::vector<std::string>& keys, c
                  const std::string& accepted) {
   for (const std::string& key : keys) {
     if (table.has(key)) table.refuse(key, "this beside shape = " + in_quotes(shape), accepted);
-    table.optional_text(key);
+    table.knows(key);
   }
 }
 

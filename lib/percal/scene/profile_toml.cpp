@@ -33,6 +33,7 @@ std::optional<double> angle_of(std::string_view text) {
 
 // `range` in rad.
 double angle(const TomlTable& table, const std::string& key, const Range& range) {
+  table.describe(key, {"angle", range.words, ""});
   const std::string text = table.text(key);
   const auto value = angle_of(text);
   if (!value || !contains(range, *value)) table.refuse(key, in_quotes(text), range.words);
@@ -62,6 +63,7 @@ Polygon cone(const TomlTable& table) {
 }
 
 Polygon points_from(const TomlTable& table, std::string& file) {
+  table.describe("vertices", {"file or array of pairs", "the name of a CSV with columns x and y, or pairs of lengths", ""});
   if (table.is_array("vertices")) return table.quantity_pairs("vertices", dimension::length, any_number());
   if (!table.has("vertices"))
     table.refuse("vertices", "no such key",
@@ -122,7 +124,7 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
                .high = 4 * right_angle,
                .words = "an angle from -360 to 360 deg with its unit, such as \"45 deg\" or \"0.5 rad\""});
   else
-    table.optional_text("orientation");
+    table.knows("orientation");
   const Polygon points = shape == "rhombus" ? rhombus(table)
                          : shape == "cone"  ? cone(table)
                                             : points_from(table, profile.vertices_file);
@@ -141,7 +143,7 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
   if (profile.mass) {
     const double per_density =
         solid_body(profile, geometry).measure * (geometry == Geometry::axisymmetric ? 4 * right_angle : 1);
-    table.optional_text("density");
+    table.knows("density");
     particle.density = *profile.mass / per_density;
     if (!std::isnormal(particle.density))
       table.refuse("mass", "a mass whose density is out of the range of numbers",

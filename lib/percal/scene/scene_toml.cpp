@@ -28,7 +28,8 @@ MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
       .low = 0,
       .high = width_in_radii * rounding,
       .low_open = true,
-      .words = fmt::format("a number of radii above 0 and up to the target's width, {:.4g}", width_in_radii)};
+      .words = fmt::format("a number of radii above 0 and up to the target's width, {:.4g}", width_in_radii),
+      .in_general = "a number of radii above 0 and up to the target's width"};
   mesh.fine_width = table.number("fine_width", within_target, mesh.fine_width);
   mesh.graded_columns = table.optional_integer("graded_columns", 1, most_graded_columns);
   mesh.whole = table.flag("whole", mesh.whole);

@@ -32,7 +32,7 @@ std::string erosion_key(const TomlTable& table) {
     found = key;
   }
   for (const std::string& key : erosion_keys)
-    if (!table.has(key)) table.optional_text(key);  // known all the same
+    if (!table.has(key)) table.knows(key);
   if (found.empty()) table.refuse("strain", "no such key", "one of strain, stress and energy: a positive limit");
   return found;
 }
@@ -123,7 +123,8 @@ Range length_above(double low, const std::string& of_what) {
   return {.low = low,
           .high = infinity,
           .low_open = true,
-          .words = "a length above the particle's " + of_what + " of " + format_quantity(low, dimension::length)};
+          .words = "a length above the particle's " + of_what + " of " + format_quantity(low, dimension::length),
+          .in_general = "a length above the particle's " + of_what};
 }
 
 LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Geometry geometry, const Range& depth) {

@@ -282,6 +282,33 @@ void Store::put_note(const std::string& name, const std::string& text) {
   if (sqlite3_step(insert.get()) != SQLITE_DONE) connection_->fail("cannot write to the store");
 }
 
+std::vector<std::pair<std::string, std::string>> Store::notes() const {
+  const std::lock_guard lock(connection_->mutex);
+  const Statement select = connection_->prepare("SELECT name, text FROM notes ORDER BY name");
+  std::vector<std::pair<std::string, std::string>> found;
+  int result;
+  while ((result = sqlite3_step(select.get())) == SQLITE_ROW)
+    found.emplace_back(text_at(select, 0), text_at(select, 1));
+  if (result != SQLITE_DONE) connection_->fail_to_read();
+  return found;
+}
+
+long Store::take_in(const Store& other) {
+  const std::vector<KeyedEvaluation> evaluations = other.with_prefix("");
+  const std::vector<std::pair<std::string, std::string>> notes = other.notes();
+  const long before = size();
+  connection_->execute("BEGIN IMMEDIATE", "cannot write to the store");
+  try {
+    for (const auto& [key, evaluation] : evaluations) put(key, evaluation);
+    for (const auto& [name, text] : notes) put_note(name, text);
+    connection_->execute("COMMIT", "cannot write to the store");
+  } catch (...) {
+    connection_->roll_back();
+    throw;
+  }
+  return size() - before;
+}
+
 const std::string& Store::path() const { return connection_->path; }
 
 std::string default_store_path() {

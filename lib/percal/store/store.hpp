@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace percal {
@@ -42,9 +43,15 @@ class Store {
   std::optional<std::string> note(const std::string& name) const;
   void put_note(const std::string& name, const std::string& text);
 
+  // Takes in what another store has and this one has not, evaluations and notes; what is here stays. All of it or none:
+  // one transaction, durable when it returns. Returns how many evaluations were new. Throws IoFailure.
+  long take_in(const Store& other);
+
   const std::string& path() const;
 
  private:
+  std::vector<std::pair<std::string, std::string>> notes() const;
+
   struct Connection;
   std::unique_ptr<Connection> connection_;
 };

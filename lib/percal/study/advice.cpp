@@ -70,8 +70,8 @@ double value_at(std::vector<double> values, double share) {
 
 }  // namespace
 
-Advice advise(const Ladder& ladder, const ErrorVsTime& study, double target) {
-  Advice advice;
+AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double target) {
+  AdvisedSetting advice;
   advice.target = target;
   if (!study.is_fitted()) {
     advice.why_not = "the meshes of the ladder give no depth to extrapolate to";

@@ -14,7 +14,7 @@ inline constexpr int finest_advised_mesh = 1000;
 
 // In single precision, with the ladder's time step. Errors are shares of the depth; the error is the root of the sum of the
 // squares of its two parts.
-struct Advice {
+struct AdvisedSetting {
   double target = 0;
   bool is_found = false;
   std::string why_not;             // where none was found
@@ -26,6 +26,6 @@ struct Advice {
   std::optional<double> cpu_seconds_low, cpu_seconds_high;  // 95 of 100 cases; not there: unbounded
 };
 
-Advice advise(const Ladder& ladder, const ErrorVsTime& study, double target);
+AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double target);
 
 }  // namespace percal

@@ -60,7 +60,7 @@ std::vector<std::string> judge_run(const ImpactResult& result, const Problem& pr
 }
 
 std::vector<CellResult> run_extremes(const std::vector<ExtremeCell>& cells, const std::string& instruction_level,
-                                     const Evaluator& evaluate) {
+                                     const EvaluateBatch& evaluate) {
   std::vector<CellResult> results;
   std::vector<Reduction> reductions;
   std::vector<Problem> problems;

@@ -9,7 +9,7 @@
 namespace percal {
 
 // Results in the order of the problems, as Campaign::evaluate gives them.
-using Evaluator = std::function<std::vector<Evaluation>(const std::vector<Problem>&)>;
+using EvaluateBatch = std::function<std::vector<Evaluation>(const std::vector<Problem>&)>;
 
 struct RunCell {
   Reduction reduction;
@@ -35,7 +35,7 @@ std::vector<std::string> judge_run(const ImpactResult& result, const Problem& pr
 
 // `instruction_level` of the evaluations, for telling equal problems.
 std::vector<CellResult> run_extremes(const std::vector<ExtremeCell>& cells, const std::string& instruction_level,
-                                     const Evaluator& evaluate);
+                                     const EvaluateBatch& evaluate);
 
 bool has_troubles(const std::vector<CellResult>& results);
 

@@ -94,7 +94,7 @@ Json rung_to_json(const Rung& rung) {
           {"cpu_s", rung.cpu_seconds}};
 }
 
-Json advice_to_json(const Advice& advice) {
+Json advice_to_json(const AdvisedSetting& advice) {
   const auto found = [&](const auto& value) { return advice.is_found ? Json(value) : Json(nullptr); };
   return {{"target_error", advice.target},
           {"found", advice.is_found},
@@ -111,7 +111,7 @@ Json advice_to_json(const Advice& advice) {
           {"cpu_high_s", optional_json(advice.cpu_seconds_high)}};
 }
 
-Json error_vs_time_to_json(const Ladder& ladder, const ErrorVsTime& study, const std::vector<Advice>& advice) {
+Json error_vs_time_to_json(const Ladder& ladder, const ErrorVsTime& study, const std::vector<AdvisedSetting>& advice) {
   Json meshes = Json::array(), half_steps = Json::array(), changes = Json::array(), advised = Json::array();
   for (const Rung& rung : ladder.meshes) {
     meshes.push_back(rung_to_json(rung));
@@ -119,7 +119,7 @@ Json error_vs_time_to_json(const Ladder& ladder, const ErrorVsTime& study, const
   }
   for (const Rung& rung : ladder.half_steps) half_steps.push_back(rung_to_json(rung));
   for (const Change& change : study.half_step) changes.push_back(change_to_json(change));
-  for (const Advice& one : advice) advised.push_back(advice_to_json(one));
+  for (const AdvisedSetting& one : advice) advised.push_back(advice_to_json(one));
   return {{"meshes", meshes},
           {"half_steps", half_steps},
           {"double_precision", rung_to_json(ladder.double_precision)},

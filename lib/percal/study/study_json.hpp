@@ -8,8 +8,9 @@
 
 namespace percal {
 
-nlohmann::json error_vs_time_to_json(const Ladder& ladder, const ErrorVsTime& study, const std::vector<Advice>& advice);
-nlohmann::json advice_to_json(const Advice& advice);
+nlohmann::json error_vs_time_to_json(const Ladder& ladder, const ErrorVsTime& study,
+                                     const std::vector<AdvisedSetting>& advice);
+nlohmann::json advice_to_json(const AdvisedSetting& advice);
 nlohmann::json rung_to_json(const Rung& rung);  // without errors
 
 // One line a rung: the meshes, the half steps, the one in double precision.

@@ -4,7 +4,15 @@
 
 namespace percal {
 
+namespace {
+
+KeyForm column_form(const std::string& what) { return {"column: " + what, "the name of a column of the table", ""}; }
+
+}  // namespace
+
 CsvTable table_of(const TomlTable& block, const std::string& key) {
+  block.describe(key, {"file", "the name of a CSV table", ""});
+  block.describe("where", {"array of conditions", "\"COLUMN=VALUE\", all of which a row must meet", ""});
   CsvTable table = read_csv(block.path(key));
   if (block.has("where")) table = table.where(block.texts("where"));
   if (table.rows.empty()) block.refuse("where", "no row of " + table.file, "conditions that some row meets");
@@ -12,6 +20,7 @@ CsvTable table_of(const TomlTable& block, const std::string& key) {
 }
 
 int column_index(const TomlTable& block, const std::string& key, const CsvTable& table) {
+  block.describe(key, column_form("any"));
   const std::string name = block.text(key);
   const auto index = table.find(name);
   if (!index) {
@@ -24,6 +33,7 @@ int column_index(const TomlTable& block, const std::string& key, const CsvTable&
 
 std::vector<double> column_of(const TomlTable& block, const std::string& key, const CsvTable& table,
                               const Dimension& dimension, const Range& range) {
+  block.describe(key, column_form(dimension == dimension::none ? "number" : name_of(dimension)));
   const int index = column_index(block, key, table);
   auto values = table.numbers(index, dimension);
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -14,6 +14,7 @@ struct Range {
   bool low_open = false;
   bool high_open = false;
   std::string words = {};
+  std::string in_general = {};  // the words without the numbers of this one file, for the reference; empty: as `words`
 };
 Range positive(const std::string& what = "number");      // (0, inf), "a positive WHAT"
 Range not_negative(const std::string& what = "number");  // [0, inf), "a WHAT not below zero"

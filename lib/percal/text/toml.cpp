@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "percal/text/file.hpp"
+#include "percal/text/key_form.hpp"
 #include "percal/text/toml_depth.hpp"
 #include "percal/units/words.hpp"
 
@@ -26,6 +27,7 @@ namespace {
 struct Document {
   std::string file;
   toml::table root;
+  KeyRecord* record;  // of what is asked for; nullptr: not recorded
 };
 
 constexpr std::size_t largest_file = std::size_t{16} << 20;  // bytes
@@ -47,14 +49,6 @@ std::optional<double> as_number(const toml::node& node) {
   return std::nullopt;
 }
 
-std::string accepted_integer(int low, int high) { return fmt::format("a whole number from {} to {}", low, high); }
-
-std::string accepted_words(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + in_quotes(word);
-  return text;
-}
-
 int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
 
 }  // namespace
@@ -63,10 +57,26 @@ int line_of(const toml::source_region& source) { return static_cast<int>(source.
 struct TomlTable::Node {
   std::shared_ptr<const Document> document;
   const toml::table* table;
-  std::string prefix;  // "target.erosion.", empty for the root
-  int line;            // of the table's header
+  std::string prefix;   // "target.erosion.", empty for the root
+  std::string general;  // the prefix for the record of keys: "points[]." for "points[2]."
+  int line;             // of the table's header
   mutable std::vector<std::string> asked;
   mutable std::map<std::string, std::shared_ptr<const Node>> children;
+  mutable bool free_names = false;  // its keys are names that the user gives
+
+  std::string general_path(const std::string& key) const { return general + (free_names ? "NAME" : key); }
+
+  void record(const std::string& key, const KeyForm& form, bool required) const {
+    if (document->record) document->record->ask(general_path(key), form, required);
+  }
+  // Whether a default is the document itself or a file beside it.
+  bool named_file(const std::string& text) const {
+    const auto folder = std::filesystem::path(document->file).parent_path().string();
+    return text == document->file || (!folder.empty() && text.starts_with(folder));
+  }
+  void record_look(const std::string& key) const {
+    if (document->record) document->record->look(general_path(key));
+  }
 
   // The value of a key, which is known from now on; nullptr where the file has none.
   const toml::node* ask(const std::string& key) const {
@@ -146,7 +156,14 @@ struct TomlTable::Node {
 
   std::shared_ptr<const Node> child(const std::string& name, const toml::table& inner, int inner_line) const {
     auto& shared = children[name];
-    if (!shared) shared = std::make_shared<const Node>(Node{document, &inner, prefix + name + ".", inner_line, {}, {}});
+    if (!shared) {
+      const auto bracket = name.find('[');
+      const std::string general_name = free_names                     ? "NAME"
+                                       : bracket == std::string::npos ? name
+                                                                      : name.substr(0, bracket) + "[]";
+      shared = std::make_shared<const Node>(
+          Node{document, &inner, prefix + name + ".", general + general_name + ".", inner_line, {}, {}});
+    }
     return shared;
   }
 
@@ -169,22 +186,26 @@ TomlTable::TomlTable(std::shared_ptr<const Node> node) : node_(std::move(node)) 
 
 std::optional<double> TomlTable::optional_quantity(const std::string& key, const Dimension& dimension,
                                                    const Range& range) const {
+  node_->record(key, quantity_form(dimension, range), false);
   const auto* at = node_->ask(key);
   return at ? std::optional(node_->checked_quantity(key, *at, dimension, range)) : std::nullopt;
 }
 
 double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range) const {
+  node_->record(key, quantity_form(dimension, range), true);
   if (const auto value = optional_quantity(key, dimension, range)) return *value;
   node_->missing(key, words_of(range, dimension));
 }
 
 double TomlTable::quantity(const std::string& key, const Dimension& dimension, const Range& range,
                            double fallback) const {
+  node_->record(key, with_default(quantity_form(dimension, range), written(fallback, dimension)), false);
   return optional_quantity(key, dimension, range).value_or(fallback);
 }
 
 std::vector<double> TomlTable::quantities(const std::string& key, const Dimension& dimension,
                                           const Range& range) const {
+  node_->record(key, quantity_array_form(dimension, range), true);
   return node_->elements(key, "an array, each element " + words_of(range, dimension),
                          [&](const std::string& name, const toml::node& at) {
                            return node_->checked_quantity(name, at, dimension, range);
@@ -194,6 +215,7 @@ std::vector<double> TomlTable::quantities(const std::string& key, const Dimensio
 std::vector<std::array<double, 2>> TomlTable::quantity_pairs(const std::string& key, const Dimension& dimension,
                                                              const Range& range) const {
   const std::string accepted = "an array of pairs, each number " + words_of(range, dimension);
+  node_->record(key, quantity_pairs_form(dimension, range), true);
   return node_->elements(key, accepted, [&](const std::string& name, const toml::node& at) {
     const auto* pair = at.as_array();
     if (!pair || pair->size() != 2) node_->refuse(name, at, accepted);
@@ -203,26 +225,31 @@ std::vector<std::array<double, 2>> TomlTable::quantity_pairs(const std::string& 
 }
 
 std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) const {
+  node_->record(key, quantity_form(dimension::none, range), false);
   const auto* at = node_->ask(key);
   return at ? std::optional(node_->checked_number(key, *at, range)) : std::nullopt;
 }
 
 double TomlTable::number(const std::string& key, const Range& range) const {
+  node_->record(key, quantity_form(dimension::none, range), true);
   if (const auto value = optional_number(key, range)) return *value;
   node_->missing(key, words_of(range));
 }
 
 double TomlTable::number(const std::string& key, const Range& range, double fallback) const {
+  node_->record(key, with_default(quantity_form(dimension::none, range), fmt::format("{}", fallback)), false);
   return optional_number(key, range).value_or(fallback);
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, const Range& range) const {
+  node_->record(key, quantity_array_form(dimension::none, range), true);
   return node_->elements(
       key, "an array, each element " + words_of(range),
       [&](const std::string& name, const toml::node& at) { return node_->checked_number(name, at, range); });
 }
 
 std::optional<int> TomlTable::optional_integer(const std::string& key, int low, int high) const {
+  node_->record(key, integer_form(low, high), false);
   const auto* at = node_->ask(key);
   if (!at) return std::nullopt;
   const auto* number = at->as_integer();
@@ -233,15 +260,18 @@ std::optional<int> TomlTable::optional_integer(const std::string& key, int low, 
 }
 
 int TomlTable::integer(const std::string& key, int low, int high) const {
+  node_->record(key, integer_form(low, high), true);
   if (const auto value = optional_integer(key, low, high)) return *value;
   node_->missing(key, accepted_integer(low, high));
 }
 
 int TomlTable::integer(const std::string& key, int low, int high, int fallback) const {
+  node_->record(key, with_default(integer_form(low, high), std::to_string(fallback)), false);
   return optional_integer(key, low, high).value_or(fallback);
 }
 
 bool TomlTable::flag(const std::string& key, bool fallback) const {
+  node_->record(key, with_default(flag_form(), fallback ? "true" : "false"), false);
   const auto* at = node_->ask(key);
   if (!at) return fallback;
   const auto* flag = at->as_boolean();
@@ -250,25 +280,31 @@ bool TomlTable::flag(const std::string& key, bool fallback) const {
 }
 
 std::optional<std::string> TomlTable::optional_text(const std::string& key) const {
+  node_->record(key, text_form(), false);
   const auto* at = node_->ask(key);
   return at ? std::optional(node_->checked_text(key, *at)) : std::nullopt;
 }
 
 std::string TomlTable::text(const std::string& key) const {
+  node_->record(key, text_form(), true);
   if (const auto value = optional_text(key)) return *value;
   node_->missing(key, "a text in quotes");
 }
 
 std::string TomlTable::text(const std::string& key, const std::string& fallback) const {
+  node_->record(key, with_default(text_form(), node_->named_file(fallback) ? "the file's name" : in_quotes(fallback)),
+                false);
   return optional_text(key).value_or(fallback);
 }
 
 std::vector<std::string> TomlTable::texts(const std::string& key) const {
+  node_->record(key, {"array: text", "", ""}, true);
   return node_->elements(key, "an array of texts in quotes",
                          [&](const std::string& name, const toml::node& at) { return node_->checked_text(name, at); });
 }
 
 int TomlTable::word(const std::string& key, const std::vector<std::string>& accepted) const {
+  node_->record(key, word_form(accepted), true);
   const auto* at = node_->ask(key);
   if (!at) node_->missing(key, accepted_words(accepted));
   const auto* text = at->as_string();
@@ -281,10 +317,21 @@ int TomlTable::word(const std::string& key, const std::vector<std::string>& acce
 }
 
 int TomlTable::word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const {
+  node_->record(key, with_default(word_form(accepted), in_quotes(accepted.at(static_cast<std::size_t>(fallback)))),
+                false);
   return node_->ask(key) ? word(key, accepted) : fallback;
 }
 
-bool TomlTable::has(const std::string& key) const { return node_->table->contains(key); }
+void TomlTable::knows(const std::string& key) const { node_->ask(key); }
+
+void TomlTable::describe(const std::string& key, const KeyForm& form) const {
+  if (node_->document->record) node_->document->record->describe(node_->general_path(key), form);
+}
+
+bool TomlTable::has(const std::string& key) const {
+  node_->record_look(key);
+  return node_->table->contains(key);
+}
 
 bool TomlTable::is_array(const std::string& key) const {
   const auto* at = node_->table->get(key);
@@ -297,6 +344,7 @@ bool TomlTable::is_text(const std::string& key) const {
 }
 
 std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const {
+  node_->record(key, {"table", "", ""}, false);
   const auto* at = node_->ask(key);
   if (!at) return std::nullopt;
   const auto* inner = at->as_table();
@@ -305,11 +353,13 @@ std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const
 }
 
 TomlTable TomlTable::table(const std::string& key) const {
+  node_->record(key, {"table", "", ""}, true);
   if (auto inner = optional_table(key)) return *inner;
   node_->missing(key, "a table: [" + node_->prefix + key + "]");
 }
 
 std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
+  node_->record(key, {"tables", "", ""}, false);
   const auto* at = node_->ask(key);
   if (!at) return {};
   const std::string accepted = "tables: [[" + node_->prefix + key + "]]";
@@ -326,6 +376,7 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
 }
 
 std::vector<std::string> TomlTable::keys() const {
+  node_->free_names = true;
   std::vector<const toml::key*> found;
   for (const auto& [name, value] : *node_->table) found.push_back(&name);
   std::stable_sort(found.begin(), found.end(),
@@ -336,6 +387,7 @@ std::vector<std::string> TomlTable::keys() const {
 }
 
 std::optional<std::string> TomlTable::optional_path(const std::string& key) const {
+  node_->record(key, file_form(), false);
   const auto text = optional_text(key);
   if (!text) return std::nullopt;
   if (text->empty() || text->find('\0') != std::string::npos) refuse(key, in_quotes(*text), "the name of a file");
@@ -344,6 +396,7 @@ std::optional<std::string> TomlTable::optional_path(const std::string& key) cons
 }
 
 std::string TomlTable::path(const std::string& key) const {
+  node_->record(key, file_form(), true);
   if (const auto value = optional_path(key)) return *value;
   node_->missing(key, "the name of a file");
 }
@@ -371,10 +424,10 @@ TomlTable parse_toml(const std::string& text, const std::string& name) {
   if (text.size() > largest_file) throw BadInput(name + ": is larger than 16 MiB");
   refuse_deep_keys(text, name);
   try {
-    auto document = std::make_shared<const Document>(Document{name, toml::parse(text)});
+    auto document = std::make_shared<const Document>(Document{name, toml::parse(text), KeyRecording::start(name)});
     const toml::table* root = &document->root;
     return TomlTable(
-        std::make_shared<const TomlTable::Node>(TomlTable::Node{std::move(document), root, "", 0, {}, {}}));
+        std::make_shared<const TomlTable::Node>(TomlTable::Node{std::move(document), root, "", "", 0, {}, {}}));
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw BadInput(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "percal/base/error.hpp"
+#include "percal/text/key_record.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/quantity.hpp"
 
@@ -48,13 +49,19 @@ class TomlTable {
   int word(const std::string& key, const std::vector<std::string>& accepted) const;
   int word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const;
 
+  // Marks a key as known that is refused where it is given, because it belongs to another shape or kind.
+  void knows(const std::string& key) const;
+  // Says what a key may be where a getter alone does not tell, for the record of keys (key_record.hpp).
+  void describe(const std::string& key, const KeyForm& form) const;
+
   bool has(const std::string& key) const;         // marks nothing as known
   bool is_array(const std::string& key) const;    // likewise; false where the key is missing
   bool is_text(const std::string& key) const;     // likewise
   TomlTable table(const std::string& key) const;  // must be there
   std::optional<TomlTable> optional_table(const std::string& key) const;
   std::vector<TomlTable> tables(const std::string& key) const;  // array of tables; empty where missing
-  std::vector<std::string> keys() const;                        // in file order; marks nothing as known
+  // Names that the user gives to its entries, in file order; marks nothing as known.
+  std::vector<std::string> keys() const;
 
   // A path in the file, relative to the file's own folder; returned ready to open.
   std::string path(const std::string& key) const;

@@ -7,10 +7,7 @@ int main() {
   const double mu = percal::parse_quantity("1.2 MPa").value;
   const percal::CardMaterial gel{.name = "gel",
                                  .density = 1010,
-                                 .mu_true = mu,
-                                 .alpha = 3,
-                                 .bulk_modulus = 50 * mu,
-                                 .erosion = {},
-                                 .comments = {}};
+                                 .terms = {{mu, 3}},
+                                 .bulk_modulus = 50 * mu};
   std::puts(percal::lsdyna_card(gel, percal::unit_system("mm-t-s-MPa")).c_str());
 }

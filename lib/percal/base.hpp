@@ -1,0 +1,15 @@
+// base: failures, progress, version.
+//
+// Every layer may use it. Two failures end a command: BadInput (what the user gave cannot be used: file, line, key,
+// what was found, what is accepted) and IoFailure (a disk that cannot be read or written). Numerical outcomes are
+// values, never exceptions.
+//
+//     try {
+//       const percal::Scene scene = percal::read_scene("gold.toml");
+//     } catch (const percal::BadInput& error) {
+//       std::cerr << error.what() << "\n";  // gold.toml:12: target.nu: found 0.5; accepted: ...
+//     }
+#pragma once
+#include "percal/base/error.hpp"
+#include "percal/base/progress.hpp"
+#include "percal/base/version.hpp"

@@ -1,0 +1,18 @@
+// calibrate: curves and depths together.
+//
+// Moduli, exponents and erosion strains, free, held or shared between materials, in every reading of the data that the
+// job names; checked by fresh runs.
+//
+//     const percal::CalibrationJob job = percal::read_calibration_job("joint.toml");
+//     const percal::CalibrationResult found =
+//         percal::calibrate(job, store, campaign, {.budget_seconds = 60}, [](const std::string& sentence) {});
+//
+// See docs/formats/calibrate.md, docs/theory/calibration.md.
+#pragma once
+#include "percal/calibrate/calibration.hpp"
+#include "percal/calibrate/job.hpp"
+#include "percal/calibrate/limits.hpp"
+#include "percal/calibrate/plots.hpp"
+#include "percal/calibrate/result.hpp"
+#include "percal/calibrate/result_json.hpp"
+#include "percal/calibrate/result_text.hpp"

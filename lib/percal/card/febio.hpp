@@ -1,0 +1,20 @@
+// FEBio 4: the Material section, and MeshAdaptor where the material erodes. docs/formats/cards.md
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/card/card_material.hpp"
+#include "percal/card/found_card.hpp"
+#include "percal/card/unit_system.hpp"
+
+namespace percal {
+
+// The sections, to stand inside <febio_spec version="4.0">: c1 = 2 mu, m1 = alpha, k = K. Erosion by a mesh adaptor on the
+// first principal Green-Lagrange strain. Throws BadInput as check() does.
+std::string febio_card(const CardMaterial& material, const UnitSystem& units);
+
+// The materials "Ogden" and "Ogden unconstrained" of such sections or of a whole FEBio file. Throws BadInput with `file` and
+// line.
+std::vector<FoundCard> read_febio_cards(const std::string& text, const std::string& file, const UnitSystem& units);
+
+}  // namespace percal

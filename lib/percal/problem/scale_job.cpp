@@ -1,0 +1,58 @@
+#include "percal/problem/scale_job.hpp"
+
+#include "percal/problem/similar_scene.hpp"
+#include "percal/scene/scene_toml.hpp"
+#include "percal/text/file.hpp"
+#include "percal/text/toml.hpp"
+
+namespace percal {
+namespace {
+
+SystemInput read_side(const TomlTable& table, const SystemInput& otherwise, std::optional<Scene>& scene) {
+  auto path = table.optional_path("scene");
+  if (!path) return read_system(table, otherwise);
+  scene = read_scene(*path);
+  auto input = system_of(*scene);
+  read_response(table, input.system);
+  return input;
+}
+
+ScaleJob job_from(const TomlTable& root) {
+  ScaleJob job;
+  job.tolerance = root.number("tolerance", not_negative("tolerance of a group's agreement"), default_tolerance);
+  job.prototype = read_side(root.table("prototype"), {}, job.prototype_scene);
+  std::optional<Scene> model_scene;
+  job.model = read_side(root.table("model"), job.prototype, model_scene);
+  if (auto output = root.optional_table("output")) job.output_scene = output->path("scene");
+  root.finish();
+  return job;
+}
+
+}  // namespace
+
+ScaleJob parse_scale_job(const std::string& text, const std::string& name) {
+  ScaleJob job = job_from(parse_toml(text, name));
+  job.file = name;
+  job.text = text;
+  return job;
+}
+
+ScaleJob read_scale_job(const std::string& path) {
+  const TomlTable root = read_toml(path);
+  ScaleJob job = job_from(root);
+  job.file = path;
+  job.text = read_file(path);
+  return job;
+}
+
+void check_output_scene(const ScaleJob& job) {
+  if (job.output_scene.empty()) return;
+  if (!job.prototype_scene)
+    throw BadInput({job.file, 0, "prototype.scene"}, "no scene to scale",
+                   "prototype.scene = \"FILE.toml\" where a similar scene is to be written");
+  if (job.model.system.erosion_strain && !job.prototype.system.erosion_strain)
+    throw BadInput({job.file, 0, "model.erosion_strain"},
+                   "an erosion strain where the prototype's scene has no erosion", "none, or a prototype with erosion");
+}
+
+}  // namespace percal

@@ -1,0 +1,78 @@
+#include "percal/problem/similar_scene.hpp"
+
+#include <cmath>
+
+#include "percal/scaling/similar.hpp"
+
+namespace percal {
+namespace {
+
+// Profile, lower layers, erosion limits and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
+void scale_the_rest(Scene& scene, const System& prototype, const System& model) {
+  const auto ratio = [&](auto member) { return required(model, member) / required(prototype, member); };
+  const double length = ratio(&System::radius), density = ratio(&System::target_density), pressure = ratio(&System::mu);
+  if (auto* profile = std::get_if<ProfileShape>(&scene.particle.shape)) {
+    for (auto& vertex : profile->vertices)
+      for (double& coordinate : vertex) coordinate *= length;
+    const int dimensions = scene.geometry == Geometry::plane_strain ? 2 : 3;
+    if (profile->mass) *profile->mass *= ratio(&System::particle_density) * std::pow(length, dimensions);
+  }
+  for (LowerLayerScene& layer : scene.below) {
+    layer.density *= density;
+    layer.mu_as_given *= pressure;
+    layer.depth *= length;
+    if (layer.erosion_limit && !std::holds_alternative<StrainErosion>(scene.target.erosion))
+      *layer.erosion_limit *= pressure;
+  }
+  if (auto* stress = std::get_if<StressErosion>(&scene.target.erosion)) stress->limit *= pressure;
+  if (auto* energy = std::get_if<EnergyErosion>(&scene.target.erosion)) energy->limit *= pressure;
+  if (auto* series = std::get_if<PronySeries>(&scene.target.relaxation))
+    for (PronyTerm& term : series->terms) term.time = map_time(term.time, prototype, model);
+  if (scene.solver.end_time) scene.solver.end_time = map_time(*scene.solver.end_time, prototype, model);
+}
+
+}  // namespace
+
+SystemInput system_of(const Scene& scene) {
+  SystemInput input;
+  const auto& layer = scene.target;
+  input.convention = layer.convention;
+  auto& system = input.system;
+  system.particle = scene.particle.name;
+  system.target = layer.name;
+  system.radius = scene.particle.radius;
+  system.particle_density = scene.particle.density;
+  system.particle_modulus = scene.particle.youngs_modulus;
+  system.speed = scene.particle.speed;
+  system.target_density = layer.density;
+  system.mu = true_modulus(layer.mu_as_given, layer.alpha, layer.convention);
+  system.alpha = layer.alpha;
+  system.depth = layer.depth;
+  system.width = layer.width;
+  if (const auto* erosion = std::get_if<StrainErosion>(&layer.erosion)) {
+    input.measure = erosion->measure;
+    system.erosion_strain = erosion->limit;
+    if (erosion->measure != StrainMeasure::engineering)
+      system.erosion_strain = strain_at(stretch_at(erosion->limit, erosion->measure), StrainMeasure::engineering);
+  }
+  return input;
+}
+
+Scene similar_scene(const Scene& prototype_scene, const System& prototype, const System& model) {
+  Scene scene = prototype_scene;
+  scene.particle.name = model.particle;
+  scene.particle.radius = required(model, &System::radius);
+  scene.particle.density = required(model, &System::particle_density);
+  scene.particle.speed = required(model, &System::speed);
+  scene.particle.youngs_modulus = model.particle_modulus;
+  scene.target.name = model.target;
+  scene.target.density = required(model, &System::target_density);
+  scene.target.mu_as_given =
+      modulus_as_given(required(model, &System::mu), scene.target.alpha, scene.target.convention);
+  scene.target.depth = required(model, &System::depth);
+  scene.target.width = required(model, &System::width);
+  scale_the_rest(scene, prototype, model);
+  return scene;
+}
+
+}  // namespace percal

@@ -1,0 +1,14 @@
+// The pages of the three kinds of study. For the .cpp files of this folder.
+#pragma once
+#include "percal/report/blocks.hpp"
+
+namespace percal::report_parts {
+
+Page error_vs_time_page(const Json& result);
+Page omissions_page(const Json& result);
+Page extremes_page(const Json& result);
+
+// "gold into skin (gold.toml)".
+std::string scene_words(const Json& result);
+
+}  // namespace percal::report_parts

@@ -1,0 +1,8 @@
+// store: finished evaluations on disk.
+//
+// SQLite, keyed by the canonical text of the dimensionless problem: what is in it is never computed again.
+//
+//     percal::Store store(percal::default_store_path());
+//     std::cout << store.size() << " evaluations\n";
+#pragma once
+#include "percal/store/store.hpp"

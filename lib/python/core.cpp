@@ -1,0 +1,35 @@
+#include "core.hpp"
+
+#include "percal/base/error.hpp"
+#include "percal/base/version.hpp"
+#include "percal/impact/kernel.hpp"
+#include "percal/store/store.hpp"
+#include "percal/units/quantity.hpp"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_core, core) {
+  core.doc() = "What percal computes, as plain functions: see the functions of the package percal.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const percal::BadInput& error) {
+      PyErr_SetString(PyExc_ValueError, error.what());
+    } catch (const percal::IoFailure& error) {
+      PyErr_SetString(PyExc_OSError, error.what());
+    }
+  });
+  core.attr("__version__") = percal::version();
+  core.def("instruction_level", &percal::instruction_level);
+  core.def("default_store_path", &percal::default_store_path);
+  core.def("seconds", [](const std::string& text) {
+    const percal::Quantity quantity = percal::parse_quantity(text);
+    if (!(quantity.dimension == percal::dimension::time) || !(quantity.value > 0))
+      throw percal::BadInput({"", 0, "budget"}, "'" + text + "'", "a positive time with its unit: 60s, 5 min, 2 h");
+    return quantity.value;
+  });
+  percal::python::bind_fit(core);
+  percal::python::bind_impact(core);
+  percal::python::bind_jobs(core);
+  percal::python::bind_card(core);
+}

@@ -1,0 +1,190 @@
+// Curves: points in, the fit as JSON out.
+#include <fmt/core.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core.hpp"
+#include "percal/base/error.hpp"
+#include "percal/base/version.hpp"
+#include "percal/fit/fit_json.hpp"
+#include "percal/fit/read_curves.hpp"
+#include "percal/fit/uncertainty_json.hpp"
+#include "percal/units/words.hpp"
+
+namespace percal::python {
+namespace {
+
+namespace py = pybind11;
+using nlohmann::json;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+BadInput refused(const std::string& key, const std::string& found, const std::string& accepted) {
+  return BadInput(Place{.file = "", .line = 0, .key = key}, found, accepted);
+}
+
+// One of the enumerators by its word.
+template <class Choice>
+Choice choice_of(const std::string& key, const std::string& text, std::initializer_list<Choice> all) {
+  std::vector<std::string> words;
+  for (const Choice one : all) {
+    words.push_back(word(one));
+    if (words.back() == text) return one;
+  }
+  throw refused(key, in_quotes(text), listed(words));
+}
+
+Deformation deformation_named(const std::string& mode) {
+  if (const auto found = deformation_of(mode)) return *found;
+  throw refused("mode", in_quotes(mode), deformation_words());
+}
+
+struct Options {
+  CurveOptions curve;
+  UncertaintyOptions uncertainty;
+  StretchRange stretches;
+};
+
+Options options_of(const py::dict& given) {
+  Options options;
+  CurveOptions& curve = options.curve;
+  curve.model = choice_of("model", given["model"].cast<std::string>(),
+                          {Model::ogden, Model::ogden2, Model::ogden3, Model::neo_hooke, Model::mooney_rivlin});
+  curve.residual = choice_of("residual", given["residual"].cast<std::string>(),
+                             {Residual::relative, Residual::absolute, Residual::error});
+  curve.loss = choice_of("loss", given["loss"].cast<std::string>(), {Loss::squares, Loss::huber, Loss::cauchy});
+  curve.signs = given["unconstrained"].cast<bool>() ? Signs::free : Signs::positive;
+  if (py::isinstance<py::dict>(given["weights"])) {
+    EqualTests tests;
+    for (const auto& [name, share] : given["weights"].cast<std::map<std::string, double>>()) {
+      if (!(share > 0)) throw refused("weights", fmt::format("{:g} for {}", share, in_quotes(name)), "numbers above 0");
+      tests.of_test.emplace_back(name, share);
+    }
+    curve.weighting = tests;
+  } else if (const auto weights = given["weights"].cast<std::string>(); weights == "tests") {
+    curve.weighting = EqualTests{};
+  } else if (weights != "points") {
+    throw refused("weights", in_quotes(weights), "points, tests, or a dict of test names and numbers above 0");
+  }
+  const auto [low, high] = given["stretches"].cast<std::pair<double, double>>();
+  if (!(low > 0 && low <= 1 && high >= 1 && low < high))
+    throw refused("stretches", fmt::format("{:g}, {:g}", low, high), "0 < low <= 1 <= high");
+  options.stretches = {low, high};
+  options.uncertainty.level = given["level"].cast<double>();
+  if (!(options.uncertainty.level > 0 && options.uncertainty.level < 1))
+    throw refused("level", fmt::format("{:g}", options.uncertainty.level), "a number between 0 and 1, such as 0.95");
+  options.uncertainty.bootstrap = given["bootstrap"].cast<int>();
+  if (options.uncertainty.bootstrap < 0)
+    throw refused("bootstrap", std::to_string(options.uncertainty.bootstrap), "a number of replicates, 0 for none");
+  return options;
+}
+
+void check_length(const std::string& key, py::ssize_t found, py::ssize_t wanted) {
+  if (found != wanted)
+    throw refused(key, std::to_string(found) + " values", std::to_string(wanted) + ", as many as stretches");
+}
+
+// One deformation's word for all points, or one for each.
+const std::string& mode_of(const std::vector<std::string>& modes, std::size_t i) {
+  return modes.size() == 1 ? modes.front() : modes[i];
+}
+
+CurveData data_of(const Numbers& stretch, const Numbers& stress, const std::vector<std::string>& modes,
+                  const std::optional<Numbers>& error, const std::optional<Numbers>& across, bool cauchy) {
+  const py::ssize_t count = stretch.size();
+  check_length("stress", stress.size(), count);
+  if (modes.size() != 1) check_length("mode", static_cast<py::ssize_t>(modes.size()), count);
+  if (error) check_length("error", error->size(), count);
+  if (across) check_length("across", across->size(), count);
+  CurveData data;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const Deformation deformation = deformation_named(mode_of(modes, i));
+    const double amount = stretch.data()[i], given = stress.data()[i], second = across ? across->data()[i] : 1;
+    const bool is_stretch = deformation != Deformation::simple_shear;
+    if (!std::isfinite(amount) || !std::isfinite(given) || !(second > 0) || (is_stretch && !(amount > 0)))
+      throw refused(fmt::format("stretch[{}]", i), fmt::format("{:g} with stress {:g}", amount, given),
+                    is_stretch ? "a stretch above 0 with a finite stress in Pa" : "finite shear and stress in Pa");
+    if (deformation == Deformation::biaxial && !across)
+      throw refused("across", "nothing", "the second stretch of every point, since the mode is general_biaxial");
+    StressPoint point{.strained = {deformation, amount, second}, .nominal_stress = given};
+    if (error) point.standard_error = error->data()[i];
+    if (error && !(*point.standard_error > 0))
+      throw refused(fmt::format("error[{}]", i), fmt::format("{:g}", *point.standard_error), "a stress in Pa above 0");
+    if (cauchy) {
+      point.nominal_stress = nominal_of_cauchy(given, point.strained);
+      if (error) point.standard_error = nominal_of_cauchy(*point.standard_error, point.strained);
+    }
+    data.points.push_back(point);
+  }
+  data.sources = {{.file = "arrays",
+                   .x = "stretch",
+                   .y = "stress",
+                   .cauchy = cauchy,
+                   .mode_column = modes.size() != 1,
+                   .points = static_cast<int>(count)}};
+  return data;
+}
+
+// The points as columns of arrays.
+py::dict columns_of(const CurveData& data) {
+  const auto count = static_cast<py::ssize_t>(data.points.size());
+  Numbers stretch(count), across(count), stress(count);
+  py::list modes;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const StressPoint& point = data.points[i];
+    stretch.mutable_data()[i] = point.strained.amount;
+    across.mutable_data()[i] = point.strained.across;
+    stress.mutable_data()[i] = point.nominal_stress;
+    modes.append(word(point.strained.deformation));
+  }
+  return py::dict(py::arg("stretch") = stretch, py::arg("across") = across, py::arg("stress") = stress,
+                  py::arg("mode") = modes);
+}
+
+// The fit as JSON and the points that it was made from.
+py::tuple fit(const CurveData& data, const Options& options) {
+  json result = {{"schema", result_schema}, {"version", version()}, {"command", "fit"}};
+  interruptible([&](const std::atomic<bool>& stop) {
+    const CurveFit found = fit_curves(data, options.curve);
+    result.update(to_json(found, data, options.stretches));
+    if (!stop) result["uncertainty"] = to_json(uncertainty_of(data, found, options.uncertainty));
+  });
+  return py::make_tuple(result.dump(-1, ' ', false, json::error_handler_t::replace), columns_of(data));
+}
+
+Numbers stresses(const std::vector<std::pair<double, double>>& terms, const std::string& mode, const Numbers& stretch,
+                 const std::optional<Numbers>& across) {
+  Hyperelastic solid;
+  for (const auto& [mu, alpha] : terms) solid.terms.push_back({mu, alpha});
+  const Deformation deformation = deformation_named(mode);
+  if (across) check_length("across", across->size(), stretch.size());
+  Numbers result(stretch.size());
+  for (py::ssize_t i = 0; i < stretch.size(); ++i) {
+    const double amount = stretch.data()[i];
+    if (deformation != Deformation::simple_shear && !(amount > 0))
+      throw refused(fmt::format("stretch[{}]", i), fmt::format("{:g}", amount), "a stretch above 0");
+    result.mutable_data()[i] = nominal_stress(solid, Strained{deformation, amount, across ? across->data()[i] : 1});
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_fit(py::module_& core) {
+  core.def("fit", [](const Numbers& stretch, const Numbers& stress, const std::vector<std::string>& modes,
+                     const std::optional<Numbers>& error, const std::optional<Numbers>& across, bool cauchy,
+                     const py::dict& options) {
+    const Options read = options_of(options);
+    return fit(data_of(stretch, stress, modes, error, across, cauchy), read);
+  });
+  core.def("fit_csv", [](const std::vector<std::string>& files, const std::string& mode, const std::string& x,
+                         const std::string& y, const std::string& error, const std::vector<std::string>& where,
+                         const py::dict& options) {
+    const Options read = options_of(options);
+    return fit(read_curves(files, {.mode = mode, .x = x, .y = y, .error = error, .where = where}), read);
+  });
+  core.def("nominal_stress", &stresses);
+}
+
+}  // namespace percal::python

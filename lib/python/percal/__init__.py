@@ -1,0 +1,49 @@
+"""Material identification for soft solids from stress-stretch curves and penetration depths.
+
+All numbers are SI: metres, seconds, kilograms, pascals; stretches, strains and exponents have no unit. Moduli called `mu` are true
+small-strain shear moduli. Quantities in texts and dicts carry their unit: "1.2 MPa".
+
+    import percal
+    fit = percal.fit(stretch, stress)
+    print(fit.mu, fit.alpha, fit.intervals)
+
+Input that cannot be used raises ValueError, which names the place, what was found and what is accepted; a file that cannot be read
+or written raises OSError. Numerical outcomes (passed through, unstable) are values. Other Python threads run on while percal
+computes, and Ctrl-C ends a computation after the impact that is running.
+"""
+
+from ._card import CardMaterial, card_curve, card_of, read_card, solvers, uniaxial_deck, write_card
+from ._core import __version__, default_store_path, instruction_level
+from ._fit import Fit, Interval, Minimum, fit, fit_csv, nominal_stress
+from ._impact import Impact, Scene, impact
+from ._jobs import Calibration, Identification, Reading, Ridge, Scaling, calibrate, identify, scale
+
+__all__ = [
+    "Calibration",
+    "CardMaterial",
+    "Fit",
+    "Identification",
+    "Impact",
+    "Interval",
+    "Minimum",
+    "Reading",
+    "Ridge",
+    "Scaling",
+    "Scene",
+    "__version__",
+    "calibrate",
+    "card_curve",
+    "card_of",
+    "default_store_path",
+    "fit",
+    "fit_csv",
+    "identify",
+    "impact",
+    "instruction_level",
+    "nominal_stress",
+    "read_card",
+    "scale",
+    "solvers",
+    "uniaxial_deck",
+    "write_card",
+]

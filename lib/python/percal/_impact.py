@@ -1,0 +1,128 @@
+"""Impacts: a scene in, a depth out."""
+
+import io
+import json
+import os
+
+import numpy as np
+
+from . import _core
+from ._shown import with_unit
+from ._toml import text_of
+
+
+def _merged(table, changes):
+    both = dict(table)
+    for key, value in changes.items():
+        both[key] = _merged(both.get(key, {}), value) if isinstance(value, dict) else value
+    return both
+
+
+class Scene:
+    """A particle, the layers it hits, mesh and solver settings. Made by read(), parse() or from_dict()."""
+
+    def __init__(self, core):
+        self._core = core
+
+    @classmethod
+    def read(cls, path):
+        """From a TOML file; its keys are those of `percal new scene`."""
+        return cls(_core.Scene.read(os.fspath(path)))
+
+    @classmethod
+    def parse(cls, text, name="scene"):
+        """From TOML text; `name` stands in messages, and files that the text names are sought in its folder."""
+        return cls(_core.Scene.parse(text, name))
+
+    @classmethod
+    def from_dict(cls, table):
+        """From a dict of dicts as TOML has it: {"particle": {"radius": "1 um", ...}, "target": {...}}."""
+        return cls.parse(text_of(table), "scene")
+
+    @property
+    def source(self):
+        """The file it was read from."""
+        return self._core.source
+
+    def to_toml(self):
+        """TOML text with every setting written out, in SI: parse() makes the same scene of it."""
+        return self._core.to_toml()
+
+    def to_dict(self):
+        """As from_dict() takes it."""
+        import tomllib
+
+        return tomllib.loads(self.to_toml())
+
+    def changed(self, **tables):
+        """Another scene with some keys replaced: scene.changed(particle={"speed": "500 m/s"}, replicates=1)."""
+        return Scene.parse(text_of(_merged(self.to_dict(), tables)), f"{self.source}, changed")
+
+    def __eq__(self, other):
+        return isinstance(other, Scene) and self.to_toml() == other.to_toml()
+
+    __hash__ = None
+
+    def __repr__(self):
+        table = self.to_dict()
+        particle, target = table["particle"], table["target"]
+        return (
+            f"Scene({particle.get('name', 'particle')}, radius {particle.get('radius')}, speed {particle['speed']}, "
+            f"into {target.get('name', 'target')}, mu {target['mu']})"
+        )
+
+
+class Impact:
+    """What the runs of an impact say together, SI.
+
+    outcome: stopped, passed through, time up or unstable; depth: mean of the runs, None unless all stopped; spread: sample standard
+    deviation of a run; standard_error: of the mean; at_least: a layer's depth that a run passed through; depths: of each run;
+    energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N"} of the first run; left_out,
+    warnings: lists of sentences; result: everything, as a dict.
+    """
+
+    def __init__(self, result, history):
+        self.result = result
+        self.outcome = result["outcome"]
+        self.depth = result["depth_m"]
+        self.spread = result["depth_spread_m"]
+        self.standard_error = result["depth_standard_error_m"]
+        self.at_least = result["depth_at_least_m"]
+        self.depths = np.array([run["depth_m"] for run in result["runs"]])
+        self.energy = result["energy"]
+        self.mu = result["mu_true_Pa"]
+        self.left_out = [f"{one['what']}: {one['why']}" for one in result["left_out"]]
+        self.warnings = result["warnings"]
+        self.history = history
+
+    def __repr__(self):
+        text = self.outcome
+        if self.depth is not None:
+            text += f", depth {with_unit(self.depth, 'm')}"
+        if self.standard_error is not None:
+            text += f" +- {with_unit(self.standard_error, 'm', 3)} (standard error of {len(self.depths)} runs)"
+        if self.at_least is not None:
+            text += f", deeper than {with_unit(self.at_least, 'm')}"
+        return f"Impact({text})"
+
+
+def _columns(csv):
+    if not csv:
+        return {}
+    names, _, rows = csv.partition("\n")
+    values = np.loadtxt(io.StringIO(rows), delimiter=",", ndmin=2).reshape(-1, names.count(",") + 1)
+    return dict(zip(names.split(","), values.T))
+
+
+def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=None, history=True):
+    """Runs the impacts of a scene (or of the file of one).
+
+    elements_per_radius, replicates: instead of the scene's; threads: 0 for one on each core; store: file in which finished runs are
+    kept and found again (percal.default_store_path() is the program's), None for no store; history: of the first run. A
+    run whose history is wanted is never taken from the store.
+    """
+    if not isinstance(scene, Scene):
+        scene = Scene.from_dict(scene) if isinstance(scene, dict) else Scene.read(scene)
+    path = None if store is None else os.fspath(store)
+    result, csv = _core.impact(scene._core, elements_per_radius, replicates, threads, path, history)
+    return Impact(json.loads(result), _columns(csv))

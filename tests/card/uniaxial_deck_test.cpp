@@ -1,0 +1,290 @@
+#include "percal/card/uniaxial_deck.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "card/card_test.hpp"
+#include "percal/card/card_json.hpp"
+#include "percal/card/uniaxial_stress.hpp"
+#include "support/program.hpp"
+
+namespace percal {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const Solver all_solvers[] = {Solver::lsdyna,      Solver::abaqus, Solver::calculix,
+                              Solver::openradioss, Solver::febio,  Solver::ansys};
+const char* all_units[] = {"mm-t-s-MPa", "mm-ms-kg-GPa", "um-us-ng-MPa"};
+
+std::vector<DeckFile> deck_of(Solver solver, const std::string& units = "mm-t-s-MPa", UniaxialTest test = {}) {
+  return uniaxial_deck_files(solver, card_test::skin(), unit_system(units), test, "skin_test");
+}
+
+int times(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// The lines under `start` up to the next that begins with one of `ends`; comment lines are left out.
+std::vector<std::string> block(const std::string& text, const std::string& start, const std::string& ends) {
+  std::vector<std::string> lines;
+  bool inside = false;
+  for (const std::string& line : card_test::lines_of(text)) {
+    if (line == start) {
+      inside = true;
+    } else if (inside) {
+      if (line.find_first_of(ends) == 0) break;
+      if (line[0] != '$' && line[0] != '#') lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+// The volume of the brick with the corners of `lines` in the order 1 to 8, from its three edges at corner 1.
+double volume(const std::vector<std::array<double, 3>>& corners) {
+  std::array<std::array<double, 3>, 3> edges{};
+  for (int k = 0; k < 3; ++k) {
+    const int far[] = {1, 3, 4};
+    for (int i = 0; i < 3; ++i) edges[k][i] = corners[far[k]][i] - corners[0][i];
+  }
+  const auto& [a, b, c] = edges;
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+TEST(UniaxialStress, IsTheClosedFormWhereKIsLarge) {
+  CardMaterial solid = card_test::skin();
+  for (const double alpha : {-9.0, -2.0, 0.5, 8.5}) {
+    solid.terms = {{2e6, alpha}};
+    solid.bulk_modulus = 1e9 * 2e6;
+    for (const double stretch : {0.5, 0.8, 1.3, 2.0}) {
+      const double closed = 2 * 2e6 / alpha * (std::pow(stretch, alpha - 1) - std::pow(stretch, -alpha / 2 - 1));
+      EXPECT_NEAR(incompressible_uniaxial_stress(solid, stretch), closed, 1e-12 * std::abs(closed));
+      for (const auto law : {VolumetricLaw::quadratic, VolumetricLaw::logarithmic, VolumetricLaw::difference})
+        EXPECT_NEAR(uniaxial_stress(solid, stretch, law), closed, 1e-5 * std::abs(closed)) << alpha << " " << stretch;
+    }
+  }
+}
+
+// d/dlambda of the least energy over the stretch of the sides, by differences: knows nothing of tau and ln J.
+TEST(UniaxialStress, IsTheSlopeOfTheLeastEnergyWhereKIsSmall) {
+  CardMaterial solid = card_test::skin();
+  solid.terms = {{1, -4}, {0.5, 3}};
+  solid.bulk_modulus = 10;
+  const auto energy = [&](double stretch, double side, VolumetricLaw law) {
+    const double J = stretch * side * side, root = std::cbrt(J);
+    double sum = 0;
+    for (const auto& [mu, alpha] : solid.terms)
+      sum += 2 * mu / (alpha * alpha) * (std::pow(stretch / root, alpha) + 2 * std::pow(side / root, alpha) - 3);
+    if (law == VolumetricLaw::quadratic) return sum + 10 * (J - 1) * (J - 1) / 2;
+    if (law == VolumetricLaw::logarithmic) return sum + 10 * std::log(J) * std::log(J) / 2;
+    return sum + 10 * (J - 1 - std::log(J));
+  };
+  const auto least = [&](double stretch, VolumetricLaw law) {
+    double low = 0.5, high = 1.6;  // golden section
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    for (int i = 0; i < 80; ++i) {
+      const double left = high - golden * (high - low), right = low + golden * (high - low);
+      (energy(stretch, left, law) < energy(stretch, right, law) ? high : low) =
+          energy(stretch, left, law) < energy(stretch, right, law) ? right : left;
+    }
+    return energy(stretch, (low + high) / 2, law);
+  };
+  for (const auto law : {VolumetricLaw::quadratic, VolumetricLaw::logarithmic, VolumetricLaw::difference}) {
+    for (const double stretch : {0.6, 0.9, 1.5, 2.0}) {
+      const double slope = (least(stretch + 1e-4, law) - least(stretch - 1e-4, law)) / 2e-4;
+      EXPECT_NEAR(uniaxial_stress(solid, stretch, law), slope, 1e-6 * std::max(1.0, std::abs(slope))) << stretch;
+    }
+  }
+}
+
+TEST(UniaxialDeck, HoldsTheCardAsItStands) {
+  for (const Solver solver : all_solvers) {
+    for (const char* units : all_units) {
+      const auto files = deck_of(solver, units);
+      EXPECT_THAT(files.front().text, HasSubstr(write_card(solver, card_test::skin(), unit_system(units))));
+      EXPECT_EQ(files.size(), solver == Solver::openradioss ? 2U : 1U);
+    }
+    EXPECT_EQ(uniaxial_deck(solver, card_test::skin(), unit_system("si"), 1.5, 10),
+              uniaxial_deck_files(solver, card_test::skin(), unit_system("si"), {1.5, 10}, "uniaxial").front().text);
+  }
+}
+
+TEST(UniaxialDeck, SaysTheStressToExpectInItsUnits) {
+  const double stress = uniaxial_stress(card_test::skin(), 1.5, VolumetricLaw::quadratic);
+  for (const char* units : all_units) {
+    const UnitSystem system = unit_system(units);
+    const std::string text = deck_of(Solver::abaqus, units, {.stretch = 1.5}).front().text;
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, std::regex("expected nominal stress at stretch 1.5: ([^ ]+) ")));
+    EXPECT_NEAR(std::stod(found[1]) * system.stress, stress, 1e-5 * stress) << units;
+    EXPECT_THAT(text, HasSubstr(" " + system.stress_unit + " (U = K (J - 1)^2 / 2;"));
+  }
+}
+
+TEST(UniaxialDeck, SaysWhereTheElementErodes) {
+  EXPECT_THAT(deck_of(Solver::lsdyna).front().text, HasSubstr("stretch of 1.7"));
+  EXPECT_THAT(deck_of(Solver::lsdyna, "si", {.stretch = 1.6}).front().text, Not(HasSubstr("the material erodes")));
+  EXPECT_THAT(deck_of(Solver::lsdyna, "si", {.stretch = 0.3}).front().text, HasSubstr("0.34602"));  // 1.7^-2
+}
+
+// Nodes, element and moved face of all six, read as each format has them: a cube of edge 1 (CalculiX: 10), of positive
+// volume, and the displacement to stretch 1.5.
+TEST(UniaxialDeck, IsACubeOfOneElement) {
+  struct Layout {
+    Solver solver;
+    std::string nodes, ends, element, moved;
+    double edge;
+  };
+  const Layout layouts[] = {
+      {Solver::lsdyna, "*NODE", "*", "1       1       1       2       3       4       5       6       7       8",
+       "         4         1         2         1       0.5", 1},
+      {Solver::abaqus, "*NODE, NSET=CUBE_NODES", "*", "1, 1, 2, 3, 4, 5, 6, 7, 8", "X1, 1, 1, 0.5\n", 1},
+      {Solver::calculix, "*NODE, NSET=CUBE_NODES", "*", "1, 1, 2, 3, 4, 5, 6, 7, 8", "X1, 1, 1, 5.\n", 10},
+      {Solver::openradioss, "/NODE", "/", "/BRICK/1\n         1         1         2         3         4", "/IMPVEL/1",
+       1},
+      {Solver::febio, "  <Nodes name=\"cube_nodes\">", "  </", "<elem id=\"1\">1,2,3,4,5,6,7,8</elem>",
+       "<value lc=\"1\">0.5</value>", 1},
+      {Solver::ansys, "MP", "T", "\nE,1,2,3,4,5,6,7,8\n", "D,ALL,UX,0.5\n", 1}};
+  for (const Layout& layout : layouts) {
+    const std::string text = deck_of(layout.solver, "mm-t-s-MPa", {.stretch = 1.5}).front().text;
+    EXPECT_EQ(times(text, layout.element), 1) << text;
+    EXPECT_EQ(times(text, layout.moved), 1) << text;
+    std::vector<std::string> lines = block(text, layout.nodes, layout.ends);
+    if (layout.solver == Solver::febio) lines = block(text, layout.nodes, "?");
+    if (layout.solver == Solver::ansys) lines = card_test::lines_of(text);
+    std::vector<std::array<double, 3>> corners;
+    const std::regex number("-?[0-9]*\\.[0-9]*");
+    for (const std::string& line : lines) {
+      const bool node = layout.solver == Solver::ansys   ? line.starts_with("N,")
+                        : layout.solver == Solver::febio ? line.find("<node id") != std::string::npos
+                                                         : true;
+      if (!node) continue;
+      std::array<double, 3> corner{};
+      auto at = std::sregex_iterator(line.begin(), line.end(), number);
+      for (double& coordinate : corner) coordinate = std::stod((at++)->str());
+      corners.push_back(corner);
+    }
+    ASSERT_EQ(corners.size(), 8U) << text;
+    EXPECT_DOUBLE_EQ(volume(corners), std::pow(layout.edge, 3));
+  }
+}
+
+TEST(UniaxialDeck, FitsTheColumnsOfFixedFormats) {
+  for (const char* units : all_units) {
+    for (const auto& line : card_test::lines_of(deck_of(Solver::lsdyna, units).front().text))
+      EXPECT_LE(line.size(), 80U) << line;
+    for (const DeckFile& file : deck_of(Solver::openradioss, units))
+      for (const auto& line : card_test::lines_of(file.text)) EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+TEST(UniaxialDeck, NamesTheOpenRadiossRunTheSameEverywhere) {
+  const auto files = deck_of(Solver::openradioss);
+  EXPECT_EQ(files[0].name, "skin_test_0000.rad");
+  EXPECT_EQ(files[1].name, "skin_test_0001.rad");
+  EXPECT_TRUE(files[0].text.starts_with("#RADIOSS STARTER\n"));
+  EXPECT_EQ(block(files[0].text, "/BEGIN", "/").front(), "skin_test");
+  EXPECT_THAT(files[1].text, HasSubstr("/RUN/skin_test/1\n"));
+  EXPECT_EQ(deck_job("cards/skin of a pig.k"), "skin_of_a_pig");
+  EXPECT_EQ(deck_job("run_0000.rad"), "run_");
+  EXPECT_EQ(deck_job("a"), "a___");
+  EXPECT_EQ(deck_job("wide--name.feb"), "wide-_name");  // "--" would end an XML comment
+}
+
+// The speed's integral is the displacement, and 200 shear-wave times are long: in every unit system alike.
+TEST(UniaxialDeck, StretchesSlowlyInOpenRadioss) {
+  for (const char* units : all_units) {
+    const UnitSystem system = unit_system(units);
+    const auto points = block(deck_of(Solver::openradioss, units, {.stretch = 0.6}).front().text, "/FUNCT/1", "/");
+    ASSERT_EQ(points.size(), 5U);  // title and four points
+    double displacement = 0, last_time = 0, last_speed = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      const double time = std::stod(points[i].substr(0, 20)), speed = std::stod(points[i].substr(20));
+      displacement += (time - last_time) * (speed + last_speed) / 2;
+      last_time = time;
+      last_speed = speed;
+    }
+    EXPECT_NEAR(displacement, -0.4, 1e-12) << units;
+    const double shear_wave = system.length * std::sqrt(1000 / 63.75e6);
+    EXPECT_NEAR(last_time * system.time, 200 * shear_wave, 1e-9 * shear_wave) << units;
+  }
+  std::smatch found;
+  const std::string text = deck_of(Solver::openradioss).front().text;
+  ASSERT_TRUE(std::regex_search(text, found, std::regex("halfway: about ([^ ]+) of")));
+  EXPECT_LT(std::stod(found[1]), 1e-3);
+  EXPECT_GT(std::stod(found[1]), 0);
+}
+
+TEST(UniaxialDeck, RefusesTestsOutOfRange) {
+  for (const UniaxialTest& test : {UniaxialTest{.stretch = 0}, UniaxialTest{.stretch = -1}, UniaxialTest{.stretch = 1},
+                                   UniaxialTest{.stretch = std::nan("")}})
+    EXPECT_THROW(deck_of(Solver::abaqus, "si", test), BadInput);
+  for (const int increments : {0, -3, 10001})
+    EXPECT_THROW(deck_of(Solver::abaqus, "si", {.stretch = 2, .increments = increments}), BadInput);
+}
+
+// Below 1e-10 CalculiX puts another D1 in its place, without a word on the result.
+TEST(UniaxialDeck, RefusesUnitsInWhichCalculixIgnoresD1) {
+  CardMaterial stiff = card_test::skin();
+  stiff.bulk_modulus = 1e6 * stiff.terms.front().mu;
+  try {
+    uniaxial_deck(Solver::calculix, stiff, unit_system("si"), 2, 20);
+    ADD_FAILURE() << "not refused";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("units"), HasSubstr("mm-t-s-MPa")));
+  }
+  EXPECT_NO_THROW(uniaxial_deck(Solver::calculix, stiff, unit_system("mm-t-s-MPa"), 2, 20));
+  EXPECT_NO_THROW(uniaxial_deck(Solver::abaqus, stiff, unit_system("si"), 2, 20));
+}
+
+class DeckProgram : public test::Program {
+ protected:
+  DeckProgram() { write("result.json", nlohmann::json{{"card", card_to_json(card_test::skin())}}.dump()); }
+  test::Ended write_deck(const std::string& arguments) const {
+    return run(test::words_of("card write result.json --deck uniaxial " + arguments));
+  }
+};
+
+TEST_F(DeckProgram, PrintsAndWritesDecks) {
+  const test::Ended printed = write_deck("--solver febio --stretch 1.5 --increments 7");
+  EXPECT_EQ(printed.code, 0) << printed.err;
+  EXPECT_EQ(printed.out, uniaxial_deck(Solver::febio, card_test::skin(), unit_system("si"), 1.5, 7));
+  const test::Ended written = write_deck("--solver calculix --units mm-t-s-MPa --file decks/skin_test.inp");
+  EXPECT_EQ(written.code, 0) << written.err;
+  EXPECT_EQ(read("decks/skin_test.inp"), deck_of(Solver::calculix).front().text);
+  const test::Ended two = write_deck("--solver openradioss --units mm-t-s-MPa --file decks/skin_test.rad");
+  EXPECT_EQ(two.code, 0) << two.err;
+  EXPECT_EQ(read("decks/skin_test_0000.rad"), deck_of(Solver::openradioss)[0].text);
+  EXPECT_EQ(read("decks/skin_test_0001.rad"), deck_of(Solver::openradioss)[1].text);
+}
+
+TEST_F(DeckProgram, RefusesWhatItCannotWrite) {
+  EXPECT_EQ(write_deck("--solver openradioss").code, 2);  // two files, one output
+  EXPECT_EQ(write_deck("--solver csv").code, 2);
+  EXPECT_EQ(write_deck("--solver abaqus --stretch 1").code, 2);
+  EXPECT_EQ(run(test::words_of("card write result.json --solver abaqus --stretch 2")).code, 2);
+}
+
+TEST_F(DeckProgram, WritesXmlThatParses) {
+  CardMaterial odd = card_test::skin();
+  odd.name = "skin <\"&'> -- of a pig";
+  odd.comments = {"a -- b", "--"};
+  for (const std::string job : {"skin_test", "a--b--.feb"}) {
+    write("deck.feb", uniaxial_deck_files(Solver::febio, odd, unit_system("si"), {}, job).front().text);
+    const std::string parse =
+        "python3 -c \"import sys, xml.etree.ElementTree as tree; deck = tree.parse(sys.argv[1]);"
+        "name = deck.find('Material/material').get('name');"
+        "sys.exit(deck.find('MeshDomains/SolidDomain').get('mat') != name)\" ";
+    EXPECT_EQ(std::system((parse + path("deck.feb")).c_str()), 0);
+  }
+}
+
+}  // namespace
+}  // namespace percal

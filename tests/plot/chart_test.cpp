@@ -1,0 +1,136 @@
+// A chart's CSV and its script for gnuplot.
+#include "percal/plot/chart.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "percal/plot/palette.hpp"
+
+namespace percal {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+Series series(const std::string& name, Mark mark, std::vector<double> x, std::vector<double> y) {
+  Series made;
+  made.name = name;
+  made.mark = mark;
+  made.x = std::move(x);
+  made.y = std::move(y);
+  return made;
+}
+
+Chart chart_of(const std::vector<Series>& all) {
+  Chart chart;
+  chart.x.label = "stretch";
+  chart.y.label = "stress, kPa";
+  chart.series = all;
+  return chart;
+}
+
+TEST(PlotOf, TheCsvHasEveryPointOfEverySeriesUnderTheAxesLabels) {
+  Series bars = series("measured", Mark::points_with_bars, {1, 2}, {10, 20});
+  bars.low = {9, 18};
+  bars.high = {11, 22.5};
+  Chart chart = chart_of({bars, series("fit", Mark::line, {1.5}, {NAN})});
+  chart.remarks = {"mu 3.4 MPa\nalpha 2"};
+  EXPECT_EQ(plot_of("curve", chart).csv,
+            "# mu 3.4 MPa alpha 2\n"
+            "series,\"stretch\",\"stress, kPa\",low,high\n"
+            "\"measured\",1,10,9,11\n\"measured\",2,20,18,22.5\n\"fit\",1.5,,,\n");
+}
+
+TEST(PlotOf, QuotesWhatGnuplotOrASpreadsheetWouldRead) {
+  Chart chart = chart_of({series("it's \"1\"\n!rm", Mark::line, {1, 2}, {1, 2})});
+  chart.title = "a'; system 'rm\n{/=40 x}";
+  const Plot plot = plot_of("x", chart);
+  EXPECT_THAT(plot.script, HasSubstr("set title 'a''; system ''rm{/=40 x}' noenhanced\n"));
+  EXPECT_THAT(plot.script, HasSubstr("title 'it''s \"1\"!rm'"));
+  EXPECT_THAT(plot.csv, HasSubstr("\"it's \"\"1\"\"!rm\",1,1,,\n"));
+}
+
+TEST(PlotOf, AChartWithoutAPointThatCanBeDrawnHasNoScript) {
+  Chart chart = chart_of({series("none", Mark::line, {1, NAN}, {NAN, 1})});
+  EXPECT_EQ(plot_of("x", chart).script, "");
+  chart.series[0].y = {-1, -1};
+  EXPECT_NE(plot_of("x", chart).script, "");
+  chart.y.logarithmic = true;
+  EXPECT_EQ(plot_of("x", chart).script, "");
+}
+
+TEST(PlotOf, ALineIsBrokenWhereANumberIsMissing) {
+  const Chart chart = chart_of({series("", Mark::line, {1, 2, 3}, {5, NAN, 7})});
+  EXPECT_THAT(plot_of("x", chart).script, HasSubstr("EOD\n1 5\n\n3 7\nEOD\n"));
+}
+
+TEST(PlotOf, ABarWithoutAnEndStopsAtItsPoint) {
+  Series bars = series("", Mark::points_with_bars, {1}, {5});
+  bars.low = {4};
+  bars.high = {INFINITY};
+  const std::string script = plot_of("x", chart_of({bars})).script;
+  EXPECT_THAT(script, HasSubstr("\n1 5 4 5\n"));
+  EXPECT_THAT(script, Not(HasSubstr("inf")));
+}
+
+TEST(PlotOf, ABandNeedsNoMiddle) {
+  Series band = series("", Mark::band, {1, 2}, {});
+  band.low = {3, 4};
+  band.high = {5, 6};
+  const std::string script = plot_of("x", chart_of({band})).script;
+  EXPECT_THAT(script, HasSubstr("\n1 5 3 5\n2 6 4 6\n"));
+  EXPECT_THAT(script, HasSubstr("using 1:3:4 with filledcurves"));
+}
+
+TEST(PlotOf, LogarithmicAxesHaveTicsAtOneTwoFiveOrAtDecades) {
+  Chart chart = chart_of({series("", Mark::line, {1, 2}, {3, 40})});
+  chart.y.logarithmic = true;
+  EXPECT_THAT(plot_of("x", chart).script, HasSubstr("set ytics ('5' 5, '10' 10, '20' 20) noenhanced\n"));
+  chart.series[0].y = {1, 1e5};
+  EXPECT_THAT(plot_of("x", chart).script,
+              HasSubstr("('1' 1, '10' 10, '100' 100, '1000' 1000, '10000' 10000, '100000' 1"));
+}
+
+TEST(PlotOf, ARangeThatIsGivenIsKept) {
+  Chart chart = chart_of({series("", Mark::line, {1, 2}, {3, 40})});
+  chart.x.low = 0;
+  EXPECT_THAT(plot_of("x", chart).script, HasSubstr("set xrange [0:2.03]\n"));
+}
+
+TEST(PlotOf, TheUpperAxisIsTheLowerOneTimesItsFactor) {
+  Chart chart = chart_of({series("", Mark::line, {1, 2}, {3, 40})});
+  chart.x.low = 1;
+  chart.x.high = 3;
+  chart.upper = Axis{};
+  chart.upper->label = "above";
+  chart.upper_factor = 10;
+  EXPECT_THAT(plot_of("x", chart).script, HasSubstr("set x2range [10:30]\n"));
+}
+
+TEST(Palette, ColoursCycleAndGreyIsOutsideOfIt) {
+  EXPECT_EQ(palette_colour(0), palette_colour(8));
+  EXPECT_NE(palette_colour(0), palette_colour(1));
+  EXPECT_EQ(palette_colour(-1), "#808080");
+}
+
+double luminance(const std::string& colour) {
+  const auto channel = [&](int place) {
+    const double c = std::stoi(colour.substr(static_cast<std::size_t>(place), 2), nullptr, 16) / 255.0;
+    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
+}
+
+// Contrast as the Web Content Accessibility Guidelines define it: 3 for what is not text.
+TEST(Palette, EveryColourIsReadableOnWhiteAndOnTheDarkPage) {
+  for (int k = -1; k < 8; ++k) {
+    const double colour = luminance(palette_colour(k));
+    EXPECT_GE(1.05 / (colour + 0.05), 3) << palette_colour(k);
+    EXPECT_GE((colour + 0.05) / (luminance("#14171a") + 0.05), 3) << palette_colour(k);
+  }
+}
+
+}  // namespace
+}  // namespace percal

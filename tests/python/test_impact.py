@@ -1,0 +1,100 @@
+"""Scenes and impacts, and what Ctrl-C does to them."""
+
+import os
+import signal
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import percal
+
+DATA = os.environ["PERCAL_DATA"]
+GOLD = percal.Scene.read(os.path.join(DATA, "guha2009", "gold.toml"))
+
+
+class AScene(unittest.TestCase):
+    def test_comes_back_from_text_and_dict(self):
+        self.assertEqual(percal.Scene.parse(GOLD.to_toml()), GOLD)
+        self.assertEqual(percal.Scene.from_dict(GOLD.to_dict()), GOLD)
+
+    def test_is_changed_key_by_key(self):
+        slower = GOLD.changed(particle={"speed": "500 m/s"})
+        self.assertNotEqual(slower, GOLD)
+        self.assertIn("500 m/s", repr(slower))
+
+    def test_that_cannot_be_used_names_the_key(self):
+        with self.assertRaisesRegex(ValueError, r"gold.toml, changed:\d+: particle.speed: found"):
+            GOLD.changed(particle={"speed": 500})
+        with self.assertRaisesRegex(ValueError, "nowhere.toml"):
+            percal.Scene.read("nowhere.toml")
+
+
+class AnImpact(unittest.TestCase):
+    def test_has_depth_scatter_energy_and_history(self):
+        found = percal.impact(GOLD, elements_per_radius=4, threads=1)
+        self.assertEqual(found.outcome, "stopped")
+        self.assertAlmostEqual(found.depth, found.depths.mean(), places=12)
+        self.assertAlmostEqual(found.spread, found.depths.std(ddof=1), places=12)
+        self.assertAlmostEqual(sum(v for k, v in found.energy.items() if k != "sum"), found.energy["sum"], places=9)
+        self.assertAlmostEqual(found.history["tip_m"].max(), found.depths[0], delta=0.01 * found.depth)
+        self.assertTrue(np.all(np.diff(found.history["time_s"]) > 0))
+        self.assertRegex(repr(found), r"stopped, depth .* um \+- .* \(standard error of 3 runs\)")
+
+    def test_has_the_same_bits_at_any_number_of_threads(self):
+        one, two = (percal.impact(GOLD, 4, replicates=2, threads=n, history=False) for n in (1, 2))
+        np.testing.assert_array_equal(one.depths, two.depths)
+        self.assertEqual(one.history, {})
+
+    def test_is_found_again_in_its_store(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = os.path.join(folder, "percal.store")
+            first, second = (percal.impact(GOLD, 4, replicates=1, store=store, history=False) for _ in range(2))
+        self.assertEqual([run["reused"] for run in first.result["runs"] + second.result["runs"]], [False, True])
+        self.assertEqual(first.depth, second.depth)
+
+    def test_whose_store_cannot_be_written_is_an_os_error(self):
+        with self.assertRaisesRegex(OSError, "/dev/null"):
+            percal.impact(GOLD, 4, replicates=1, store="/dev/null/percal.store")
+
+    def test_options_go_through_the_readers_checks(self):
+        with self.assertRaisesRegex(ValueError, "replicates"):
+            percal.impact(GOLD, replicates=0)
+
+    def test_lets_other_threads_run(self):
+        seen = []
+
+        def count():
+            while not seen or seen[-1] != "end":
+                seen.append(time.monotonic())
+                time.sleep(0.001)
+
+        other = threading.Thread(target=count, daemon=True)
+        other.start()
+        before = len(seen)
+        percal.impact(GOLD, 8, replicates=2, threads=1, history=False)
+        self.assertGreater(len(seen) - before, 5)
+        seen.append("end")
+        other.join(1)
+
+    def test_ends_by_ctrl_c_before_the_next_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = os.path.join(folder, "percal.store")
+
+            def interrupt_after_the_first_run():
+                while not os.path.exists(store):
+                    time.sleep(0.01)
+                time.sleep(0.2)
+                os.kill(os.getpid(), signal.SIGINT)
+
+            threading.Thread(target=interrupt_after_the_first_run, daemon=True).start()
+            with self.assertRaises(KeyboardInterrupt):
+                percal.impact(GOLD, 6, replicates=1000, threads=1, store=store, history=False)
+            kept = percal.impact(GOLD, 6, replicates=1, store=store, history=False)
+        self.assertTrue(kept.result["runs"][0]["reused"])
+
+
+if __name__ == "__main__":
+    unittest.main()

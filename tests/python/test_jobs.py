@@ -1,0 +1,70 @@
+"""Calibrations; seconds of processor time: label slow."""
+
+import os
+import tempfile
+import unittest
+
+import numpy as np
+
+import percal
+
+JOB = os.path.join(os.environ["PERCAL_DATA"], "synthetic", "joint_small.toml")
+
+
+class ACalibration(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.store = os.path.join(cls.folder.name, "percal.store")
+        cls.sentences = []
+        cls.found = percal.calibrate(JOB, store=cls.store, threads=1, announce=cls.sentences.append)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_finds_what_the_data_were_made_with(self):
+        reading = self.found.readings[0]
+        self.assertAlmostEqual(reading.parameters["mu"] / 120e3, 1, delta=0.03)
+        self.assertAlmostEqual(reading.parameters["alpha"], 6, delta=0.4)
+        self.assertAlmostEqual(reading.parameters["erosion_strain"], 1.1, delta=0.2)  # coarse meshes
+
+    def test_has_intervals_arrays_and_a_ridge(self):
+        reading = self.found.readings[0]
+        low, high = reading.intervals["mu"][:2]
+        self.assertTrue(low < reading.parameters["mu"] < high)
+        shots = reading.shots
+        np.testing.assert_allclose(shots["depth_m"] / shots["measured_m"] - 1, shots["deviation"], atol=1e-9)
+        ridge = reading.ridges[0]
+        self.assertEqual(ridge.rise.shape, (ridge.y.size, ridge.x.size))
+        self.assertTrue(ridge.contours[0].shape[1] == 2)
+        self.assertRegex(repr(self.found), r"mu = .* kPa \[.*erosion_strain = ")
+
+    def test_is_its_result_as_a_dict(self):
+        self.assertEqual(self.found["command"], "calibrate")
+        self.assertIn("readings", dict(self.found))
+        self.assertTrue(any("is fitted" in sentence for sentence in self.sentences))
+
+    def test_goes_on_from_its_store(self):
+        again = percal.calibrate(JOB, budget="5 min", store=self.store, threads=1)
+        self.assertEqual(again.cost["runs"], 0)
+        self.assertEqual(again.readings[0].parameters, self.found.readings[0].parameters)
+
+    def test_ends_by_an_exception_of_the_listener(self):
+        def refuse(sentence):
+            raise RuntimeError(sentence)
+
+        with self.assertRaisesRegex(RuntimeError, "runs"):
+            percal.calibrate(JOB, store=self.store, threads=1, announce=refuse)
+
+    def test_that_cannot_be_read_is_a_value_error(self):
+        with self.assertRaisesRegex(ValueError, "nowhere.toml"):
+            percal.calibrate("nowhere.toml", store=self.store)
+        with self.assertRaisesRegex(ValueError, "budget: found '5 m'"):
+            percal.calibrate(JOB, budget="5 m", store=self.store)
+        with self.assertRaisesRegex(ValueError, "nowhere.toml"):
+            percal.identify("nowhere.toml", store=self.store)
+
+
+if __name__ == "__main__":
+    unittest.main()

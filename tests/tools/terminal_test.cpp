@@ -1,0 +1,94 @@
+// Colours, widths and progress: on a terminal, and nowhere else.
+#include "tools/terminal.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace percal {
+namespace {
+
+using test::Terminal;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string curve = PERCAL_DATA "/synthetic/joint_curve.csv";
+const std::string scene = test::test_data + "layer.toml";
+const std::string escape = "\033[", time_left = "[0-9]:[0-9][0-9] left", red_name = "\033[31mpercal:\033[0m";
+
+TEST_F(Terminal, ErrorsAreRed) { EXPECT_THAT(on_terminal({"impact", "nowhere.toml"}), HasSubstr(red_name)); }
+
+TEST_F(Terminal, HeadersOfTablesAreBold) { EXPECT_THAT(on_terminal({"fit", curve}), HasSubstr("\033[1m  ")); }
+
+TEST_F(Terminal, NothingIsColouredWhereNoColorIsSet) {
+  EXPECT_THAT(on_terminal({"fit", curve}, {{"NO_COLOR", "1"}}), Not(HasSubstr(escape + "1m")));
+  EXPECT_THAT(on_terminal({"impact", "nowhere.toml"}, {{"NO_COLOR", "1"}}), Not(HasSubstr(escape)));
+}
+
+TEST_F(Terminal, AnEmptyNoColorAsksForNothing) {
+  EXPECT_THAT(on_terminal({"impact", "nowhere.toml"}, {{"NO_COLOR", ""}}), HasSubstr(red_name));
+}
+
+TEST_F(Terminal, NothingIsColouredOnADumbTerminal) {
+  EXPECT_THAT(on_terminal({"impact", "nowhere.toml"}, {{"TERM", "dumb"}}), Not(HasSubstr(escape)));
+}
+
+TEST_F(Terminal, LongStepsShowHowMuchTimeIsLeft) {
+  EXPECT_THAT(on_terminal({"impact", scene, "--store", "a.store"}),
+              AllOf(HasSubstr("impact  3/3"), ContainsRegex(time_left)));
+  EXPECT_THAT(on_terminal({"fit", curve, "--bootstrap", "300"}),
+              AllOf(HasSubstr("bootstrap  "), ContainsRegex(time_left)));
+}
+
+TEST_F(Terminal, QuietShowsNoProgress) {
+  EXPECT_EQ(on_terminal({"impact", scene, "--store", "a.store", "--quiet"}), "");
+}
+
+TEST_F(Terminal, APipeHasNeitherColoursNorProgress) {
+  for (const auto& arguments : {std::vector<std::string>{"impact", scene, "--store", "a.store"}, {"fit", curve}}) {
+    const test::Ended ended = run(arguments);
+    EXPECT_THAT(ended.out + ended.err, AllOf(Not(HasSubstr("\033")), Not(ContainsRegex(time_left))));
+    EXPECT_NE(ended.out, "");
+  }
+}
+
+// Characters of the longest line, without colours.
+std::size_t widest(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t most = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '\033')
+        i = line.find('m', i);
+      else if (line[i] != '\r' && (static_cast<unsigned char>(line[i]) & 0xc0) != 0x80)
+        ++count;
+    }
+    most = std::max(most, count);
+  }
+  return most;
+}
+
+// The table of minima alone: sentences are left to the terminal, which wraps them.
+std::string tables_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::string table;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("  ") || line.starts_with("\033[1m  ")) table += line + "\n";
+  return table;
+}
+
+TEST_F(Terminal, WideTablesFitIntoNarrowOnes) {
+  const std::vector<std::string> command{"fit", PERCAL_DATA "/public/treloar1944_rubber_primary.csv", "--compare",
+                                         "--no-intervals"};
+  const std::string wide = on_terminal(command, {}, 400), narrow = on_terminal(command, {}, 50);
+  ASSERT_GT(widest(tables_of(wide)), 60U);
+  EXPECT_LT(widest(tables_of(narrow)), widest(tables_of(wide)));
+  EXPECT_THAT(narrow, HasSubstr("AICc above lowest: ")) << "a list of cells";
+}
+
+}  // namespace
+}  // namespace percal

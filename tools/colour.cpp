@@ -1,0 +1,35 @@
+#include "colour.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace percal::tools {
+namespace {
+
+std::string shown(const char* code, const std::string& text, std::FILE* stream) {
+  return has_colour(stream) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
+}
+
+}  // namespace
+
+bool has_colour(std::FILE* stream) {
+  if (isatty(fileno(stream)) != 1) return false;
+  const char* none = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return (!none || *none == '\0') && terminal && *terminal != '\0' && std::string(terminal) != "dumb";
+}
+
+std::string bold(const std::string& text, std::FILE* stream) { return shown("1", text, stream); }
+std::string green(const std::string& text, std::FILE* stream) { return shown("32", text, stream); }
+std::string yellow(const std::string& text, std::FILE* stream) { return shown("33", text, stream); }
+std::string red(const std::string& text, std::FILE* stream) { return shown("31", text, stream); }
+
+int terminal_columns() {
+  winsize size{};
+  if (isatty(STDOUT_FILENO) != 1 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
+  return size.ws_col;
+}
+
+}  // namespace percal::tools

@@ -1,0 +1,20 @@
+// Colours on a terminal: none in a pipe or a file, none where NO_COLOR is set or TERM is "dumb" or missing.
+#pragma once
+#include <cstdio>
+#include <string>
+
+namespace percal::tools {
+
+// Whether texts for this stream may have colours. NO_COLOR: https://no-color.org, set to anything but nothing.
+bool has_colour(std::FILE* stream);
+
+// The text with the colour where the stream may have it, else as it is. For standard output unless said otherwise.
+std::string bold(const std::string& text, std::FILE* stream = stdout);
+std::string green(const std::string& text, std::FILE* stream = stdout);
+std::string yellow(const std::string& text, std::FILE* stream = stdout);  // notes and warnings
+std::string red(const std::string& text, std::FILE* stream = stdout);     // errors
+
+// Columns of the terminal that standard output is; 0 where it is none.
+int terminal_columns();
+
+}  // namespace percal::tools

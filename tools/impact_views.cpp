@@ -1,0 +1,53 @@
+#include "impact_views.hpp"
+
+#include <filesystem>
+
+#include "percal/base/error.hpp"
+#include "percal/plot/gnuplot.hpp"
+#include "percal/text/file.hpp"
+
+namespace percal::tools {
+
+void ensure_writable(const std::string& file) {
+  const std::filesystem::path path(file);
+  std::error_code no_matter;
+  const auto status = std::filesystem::status(path, no_matter);
+  if (std::filesystem::is_directory(status)) throw IoFailure(file + ": is a folder, not a file");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
+  ensure_writable_folder(path.has_parent_path() ? path.parent_path().string() : ".");
+}
+
+void check_views(const ImpactArguments& arguments) {
+  if (!arguments.fields.empty()) parse_field_interval(arguments.fields, "--fields");
+  if (!arguments.picture.empty()) picture_format(arguments.picture, "--picture");
+}
+
+void ensure_views_can_be_made(const ImpactArguments& arguments) {
+  if (arguments.picture.empty()) return;
+  ensure_writable(arguments.picture);
+  if (!gnuplot("set print '-'\nprint 'here'\n"))
+    throw IoFailure("--picture: gnuplot, which draws it, cannot be run; on Debian it is the package gnuplot-nox");
+}
+
+ImpactViews::ImpactViews(const ImpactArguments& arguments, const Common& common, const Reduction& reduction)
+    : reduction_(reduction), picture_(arguments.picture) {
+  if (arguments.fields.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path(out_folder(arguments.scene, common)) / "fields";
+  series_.emplace(folder.string(), std::filesystem::path(arguments.scene).stem().string(),
+                  parse_field_interval(arguments.fields, "--fields"), reduction.problem, reduction.scales);
+}
+
+void ImpactViews::see(const Frame& frame) {
+  if (series_) series_->see(frame);
+  if (frame.is_last && !picture_.empty()) last_ = frame;
+}
+
+void ImpactViews::draw(const std::string& title) const {
+  if (picture_.empty()) return;
+  const auto picture = gnuplot(
+      picture_script(*last_, reduction_.problem, reduction_.scales, picture_format(picture_, "--picture"), title));
+  if (!picture) throw IoFailure(picture_ + ": gnuplot could not draw the picture");
+  write_file(picture_, *picture);
+}
+
+}  // namespace percal::tools

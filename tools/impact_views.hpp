@@ -1,0 +1,44 @@
+// Fields and picture of the first replicate, where they were asked for.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "commands.hpp"
+#include "percal/observe/fields.hpp"
+#include "percal/observe/picture.hpp"
+
+namespace percal::tools {
+
+// Found out before anything is computed: throws IoFailure where `file` could not be written. A pipe or a device is written to as
+// it stands.
+void ensure_writable(const std::string& file);
+
+// Throws BadInput for what cannot be meant.
+void check_views(const ImpactArguments& arguments);
+
+// Before anything is computed. Throws IoFailure where the picture could not be written, or gnuplot is not there to draw it.
+void ensure_views_can_be_made(const ImpactArguments& arguments);
+
+class ImpactViews : public FrameObserver {
+ public:
+  // Throws IoFailure where the fields' folder cannot be written to.
+  ImpactViews(const ImpactArguments& arguments, const Common& common, const Reduction& reduction);
+
+  FrameObserver* observer() { return series_ || !picture_.empty() ? this : nullptr; }
+  bool is_due(const Moment& now) override { return series_ && series_->is_due(now); }
+  void see(const Frame& frame) override;
+
+  // After the run. Throws IoFailure.
+  void draw(const std::string& title) const;
+
+  const std::optional<FieldSeries>& series() const { return series_; }
+  const std::string& picture() const { return picture_; }
+
+ private:
+  const Reduction& reduction_;
+  std::string picture_;
+  std::optional<FieldSeries> series_;
+  std::optional<Frame> last_;
+};
+
+}  // namespace percal::tools
