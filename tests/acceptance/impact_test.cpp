@@ -1,6 +1,8 @@
 // percal impact: the outcomes by name and exit code, the keys of the result, the streams.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "support/program.hpp"
@@ -13,8 +15,10 @@ using test::Ended;
 using test::guha2009;
 using test::Program;
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 
 class Impact : public Program {
  protected:
@@ -108,7 +112,7 @@ TEST_F(Impact, WritesItsHistoryAsCsv) {
   std::istringstream lines(read("history/run.csv"));
   std::string line;
   std::getline(lines, line);
-  EXPECT_EQ(line, "time_s,tip_m,speed_m_s,force_N");
+  EXPECT_THAT(line, AllOf(StartsWith("time_s,tip_m,speed_m_s,force_N,energy_particle,"), EndsWith(",energy_sum")));
   double deepest = 0, before = -1, first_speed = 0, last_speed = 0;
   int rows = 0;
   for (; std::getline(lines, line); ++rows) {
@@ -124,6 +128,39 @@ TEST_F(Impact, WritesItsHistoryAsCsv) {
   EXPECT_NEAR(first_speed, 120, 1);
   EXPECT_LE(last_speed, 0.5);
   EXPECT_NEAR(deepest / json::parse(ended.out)["runs"][0]["depth_m"].get<double>(), 1, 1e-6) << "the first replicate's";
+  const json history = json::parse(ended.out)["history"];
+  for (const char* column : {"time_s", "tip_m", "speed_m_s", "force_N"})
+    EXPECT_EQ(history[column].size(), static_cast<std::size_t>(rows)) << column;
+  for (const double sum : history["energy"]["sum"]) EXPECT_NEAR(sum, 1, 0.05);
+  EXPECT_EQ(history["energy"]["particle"][0], 1.0);
+  EXPECT_TRUE(json::parse(impact({scene(), "--json"}).out)["history"].is_null());
+}
+
+TEST_F(Impact, WritesFieldsAndAPictureOfTheFirstReplicateWhichIsRunAnewWithTheSameDepth) {
+  const json before = json::parse(impact({scene(), "--json"}).out);
+  EXPECT_TRUE(before["fields"].is_null() && before["picture"].is_null());
+  const Ended ended =
+      impact({scene(), "--fields", "every=10%", "--picture", path("last.svg"), "--out", path("out"), "--json"});
+  if (ended.code == 4 && ended.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << ended.err;
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const json found = json::parse(ended.out);
+  EXPECT_EQ(found["depth_m"], before["depth_m"]);
+  EXPECT_EQ(found["reused"], 2) << "of three";
+  EXPECT_EQ(found["fields"]["list"], path("out/fields/layer.pvd"));
+  const int frames = found["fields"]["frames"];
+  EXPECT_GT(frames, 3);
+  EXPECT_THAT(read("out/fields/layer.pvd"), HasSubstr(fmt::format("particle_{:04}.vtu", frames - 1)));
+  EXPECT_THAT(read(fmt::format("out/fields/target_{:04}.vtu", frames - 1)), HasSubstr("vtkZLibDataCompressor"));
+  EXPECT_THAT(read("last.svg"), AllOf(HasSubstr("<svg"), HasSubstr("tungsten carbide into layer: stopped, depth")));
+}
+
+TEST_F(Impact, RefusesFieldsAndPicturesThatItCannotMakeBeforeItRuns) {
+  EXPECT_EQ(impact({scene(), "--fields", "every=2 kg"}).code, 2);
+  EXPECT_EQ(impact({scene(), "--fields", "now", "--check"}).code, 2);
+  EXPECT_EQ(impact({scene(), "--picture", path("a.jpeg")}).code, 2);
+  EXPECT_EQ(impact({scene(), "--picture", "/proc/none/a.png"}).code, 4);
+  EXPECT_EQ(impact({scene(), "--fields", "every=1us", "--out", "/proc/none"}).code, 4);
+  EXPECT_FALSE(std::filesystem::exists(path("layer.out")));
 }
 
 TEST_F(Impact, PrintsNothingWhenAskedToBeQuiet) {

@@ -74,7 +74,7 @@ TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
       for (int j = 0; j <= block.mesh().rows; ++j)
         size = std::max(size, std::abs(block.far_forces().r[block.at(i, j)]));
     const auto energy = [&] {
-      const EnergyLedger stored = stored_energy(block, material);
+      const EnergyLedger stored = stored_energy(block, material, block.mesh().rows);
       return stored.elastic + stored.hourglass;
     };
     const double step = 1e-6;
@@ -107,7 +107,7 @@ TEST(Kernel, ARigidTranslationAlongTheAxisMakesNoForceAndNoEnergy) {
         EXPECT_NEAR(block.far_forces().r[block.at(i, j)], 0, 1e-7) << kernels.level;
         EXPECT_NEAR(block.far_forces().z[block.at(i, j)], 0, 1e-7) << kernels.level;
       }
-    const EnergyLedger stored = stored_energy(block, constants_of(problem));
+    const EnergyLedger stored = stored_energy(block, constants_of(problem), block.mesh().rows);
     EXPECT_NEAR(stored.elastic, 0, 1e-10);
     EXPECT_EQ(stored.hourglass, 0);
   }

@@ -68,7 +68,7 @@ Ramp ramp(int steps) {
     old_stress = stress;
     old_stretch = l;
   }
-  booked += stored_energy(specimen.block, specimen.solid).elastic / specimen.volume();
+  booked += stored_energy(specimen.block, specimen.solid, specimen.block.mesh().rows).elastic / specimen.volume();
   return {old_stress, work, booked};
 }
 

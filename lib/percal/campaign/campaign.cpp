@@ -38,9 +38,8 @@ Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observe
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
   const int threads = std::clamp(static_cast<int>(elements_of(problem) / worth_a_thread), 1, spare_threads);
-  Evaluation evaluation{
-      .result = observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads),
-      .instruction_level = instruction_level()};
+  Evaluation evaluation{.result = observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads),
+                        .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return evaluation;

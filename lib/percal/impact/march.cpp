@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "percal/impact/constants.hpp"
-#include "percal/impact/elastic_sphere.hpp"
 #include "percal/impact/frame.hpp"
 #include "percal/impact/ledger.hpp"
-#include "percal/impact/particle.hpp"
+#include "percal/impact/particle_runs.hpp"
 #include "percal/impact/recorder.hpp"
 #include "percal/impact/settings.hpp"
 #include "percal/impact/sweep.hpp"
@@ -365,21 +364,6 @@ class March {
   double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0, dropped_energy_ = 0;
   int rows_moving_ = 0;
   bool inside_out_ = false;  // an element that does not erode
-};
-
-template <class Particle>
-struct RunOf;
-template <>
-struct RunOf<RigidSphere> {
-  using type = SphereRun;
-};
-template <>
-struct RunOf<RigidProfile> {
-  using type = ProfileRun;
-};
-template <>
-struct RunOf<ElasticSphere> {
-  using type = ElasticSphereRun;
 };
 
 template <class Real, class FramesOf>

@@ -1,10 +1,11 @@
 #include "percal/report/page.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "percal/base/error.hpp"
 #include "percal/base/version.hpp"
-#include "percal/report/json_read.hpp"
+#include "percal/report/study_page_parts.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
@@ -43,8 +44,16 @@ Page page_of_result(const Json& result, const std::string& file) {
   if (schema != result_schema)
     throw BadInput({file, 0, "schema"}, shown(schema),
                    std::to_string(result_schema) + ", in the result.json of a command of percal");
-  for (const PageOfCommand& one : pages)
-    if (command == one.command) return one.page(result);
+  const Json& study = report_parts::at(result, "study");
+  const auto& studies = report_parts::studies;
+  if (command == "study" && std::find(studies.begin(), studies.end(), study) == studies.end())
+    throw BadInput({file, 0, "study"}, shown(study), listed(studies));
+  for (const PageOfCommand& one : pages) {
+    if (command != one.command) continue;
+    Page page = one.page(result);
+    if (page.title.empty()) page.title = std::string("Result of percal ") + one.command;
+    return page;
+  }
   throw BadInput({file, 0, "command"}, shown(command), "a result of " + listed(commands()));
 }
 

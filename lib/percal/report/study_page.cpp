@@ -1,10 +1,8 @@
 // The page of `percal study`: which of its kinds.
 #include <filesystem>
 
-#include "percal/base/error.hpp"
 #include "percal/report/scene_words.hpp"
 #include "percal/report/study_page_parts.hpp"
-#include "percal/units/words.hpp"
 
 namespace percal {
 
@@ -23,9 +21,7 @@ Page study_page(const report_parts::Json& result) {
   using namespace report_parts;
   const std::string study = text(result, "study");
   if (study == "error vs time") return error_vs_time_page(result);
-  if (study == "omissions") return omissions_page(result);
-  if (study == "extremes") return extremes_page(result);
-  throw BadInput({"", 0, "study"}, in_quotes(study), "\"error vs time\", \"omissions\" or \"extremes\"");
+  return study == "omissions" ? omissions_page(result) : extremes_page(result);
 }
 
 }  // namespace percal

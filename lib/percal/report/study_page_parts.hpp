@@ -4,6 +4,9 @@
 
 namespace percal::report_parts {
 
+// The kinds, as results name them.
+inline const std::vector<std::string> studies{"error vs time", "omissions", "extremes"};
+
 Page error_vs_time_page(const Json& result);
 Page omissions_page(const Json& result);
 Page extremes_page(const Json& result);
