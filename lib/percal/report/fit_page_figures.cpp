@@ -94,7 +94,7 @@ PageFigure curve_figure(Deformation deformation, const std::vector<const PageCur
   const StressUnit unit = unit_of(curves);
   PageFigure figure;
   figure.name = "curve_" + word(deformation);
-  figure.chart.title = "Stress in " + words(deformation);
+  figure.chart.title = "Nominal stress, " + words(deformation);
   figure.chart.x.label = amount_label(deformation);
   figure.chart.y.label = std::string("nominal stress, ") + unit.name;
   int colour = 0;

@@ -43,6 +43,7 @@ th, td { padding: 0.3rem 0.7rem; text-align: left; vertical-align: top; border-b
 th:first-child, td:first-child { padding-left: 0; }
 thead th, thead td { border-bottom: 2px solid var(--line); vertical-align: bottom; }
 tbody th { font-weight: normal; }
+tbody th:not(.words) { white-space: nowrap; }
 th.words { min-width: 11rem; }
 td.number, th.number { text-align: right; }
 td.number { white-space: nowrap; }
