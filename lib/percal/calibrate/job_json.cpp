@@ -55,9 +55,8 @@ Json published_of(const CalibrationJob& job) {
     Json pairs = Json::array();
     for (const PublishedPair& pair : published.pairs)
       pairs.push_back({{"erosion_strain", pair.erosion_strain}, {"mu_as_given_Pa", pair.mu}});
-    all.push_back({{"name", published.name},
-                   {"parameter", job.parameters[published.modulus].free.name},
-                   {"pairs", pairs}});
+    all.push_back(
+        {{"name", published.name}, {"parameter", job.parameters[published.modulus].free.name}, {"pairs", pairs}});
   }
   return all;
 }

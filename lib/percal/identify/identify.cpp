@@ -134,6 +134,25 @@ std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& j
   return result;
 }
 
+// The files that the card's numbers come from: the job, its formulations, the known pairs of the scan.
+std::vector<CardData> data_of(const IdentifyJob& job) {
+  std::vector<std::string> files = {job.file, job.gelatin.file};
+  if (const auto* scan = std::get_if<AlphaScan>(&job.alpha)) files.push_back(scan->file);
+  std::vector<CardData> data;
+  for (const std::string& file : files)
+    if (const auto digest = sha256_of_file(file))
+      data.push_back({std::filesystem::path(file).filename().string(), *digest});
+  return data;
+}
+
+// The chain has an error of the erosion strain alone: one formulation stands for the modulus, and alpha's range is a comment.
+std::optional<CardIntervals> intervals_of(const StrainOnRidge& erosion) {
+  if (!(erosion.error > 0)) return std::nullopt;
+  constexpr double level = 0.95, errors = 1.959964;
+  return CardIntervals{
+      level, {{"erosion_strain", erosion.strain - errors * erosion.error, erosion.strain + errors * erosion.error}}};
+}
+
 CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
   const double mu_true = true_modulus(found.tissue.mu, found.alpha, job.convention);
   const Scene calibration = impact_scene(
@@ -144,13 +163,18 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
                     .terms = {{mu_true, found.alpha}},
                     .bulk_modulus = reduce(calibration).bulk_modulus,
                     .erosion = CardErosion{found.tissue.erosion->strain, job.measure},
-                    .comments = job.card_comments};
+                    .comments = job.card_comments,
+                    .intervals = intervals_of(*found.tissue.erosion),
+                    .data = data_of(job)};
   card.comments.push_back("identified by percal from " + job.title);
-  if (found.alpha_scan)
+  if (found.alpha_scan) {
+    card.fit_error =
+        fmt::format("depths at the known pairs differ by {:.1f} % in the mean", 100 * found.alpha_scan->score);
     card.comments.push_back(fmt::format("alpha is fitted, and no better known than {:.2f} to {:.2f}",
                                         found.alpha_scan->lowest, found.alpha_scan->highest));
-  if (const auto digest = sha256_of_file(job.file))
-    card.data.push_back({std::filesystem::path(job.file).filename().string(), *digest});
+  }
+  card.comments.push_back(fmt::format("no interval of mu: one formulation stands for it, {:+.1f} % off in depth",
+                                      100 * found.similarity.mismatch));
   return card;
 }
 

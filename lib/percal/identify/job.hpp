@@ -28,6 +28,7 @@ struct ModelMaterial {
   double rate_factor = 1;          // high-rate over quasi-static modulus
   std::optional<double> exponent;  // of mu = k c^n; left out: fitted
   std::string table;               // what the published table of formulations is called
+  std::string file;                // where they are
   std::vector<Formulation> formulations;
 };
 
@@ -57,7 +58,7 @@ struct AlphaGiven {
 // the best alpha (docs/decisions/0003-alpha-scan.md).
 struct AlphaScan {
   std::vector<double> candidates;
-  std::string target_name;
+  std::string target_name, file;  // of the table of known pairs
   std::vector<RidgePair> target;
   int elements_per_radius = 10;
   int replicates = 3;

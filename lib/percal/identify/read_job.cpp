@@ -31,10 +31,12 @@ ModelMaterial read_gelatin(const TomlTable& block) {
                         .rate_factor = block.number("rate_factor", factor),
                         .exponent = block.optional_number("exponent", any_number()),
                         .table = "",
+                        .file = "",
                         .formulations = {}};
   const TomlTable rows = block.table("formulations");
   const CsvTable table = table_of(rows);
   gelatin.table = rows.text("name", gelatin.name + " formulations");
+  gelatin.file = table.file;
   const auto concentration = column_of(rows, "concentration", table, dimension::none);
   const auto quasi_static = column_of(rows, "mu_quasi_static", table, dimension::pressure);
   const auto penetration = column_of(rows, "penetration", table, dimension::length);
@@ -100,6 +102,7 @@ AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
   const TomlTable target = block.table("target");
   const CsvTable table = table_of(target);
   scan.target_name = target.text("name", table.file);
+  scan.file = table.file;
   const auto mu = column_of(target, "mu", table, dimension::pressure);
   const auto strains = column_of(target, "erosion_strain", table, dimension::none);
   std::vector<double> mu_model;

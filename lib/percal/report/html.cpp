@@ -168,13 +168,23 @@ std::vector<const PageFigure*> figures_of(const Page& page) {
   return all;
 }
 
+// Higher by the lines of a key with many names, of which so many stand side by side.
+Canvas with_room_for_key(Canvas canvas, const Chart& chart, int side_by_side) {
+  const auto names =
+      std::count_if(chart.series.begin(), chart.series.end(), [](const Series& s) { return !s.name.empty(); });
+  const int lines = (static_cast<int>(names) + side_by_side - 1) / side_by_side;
+  canvas.height += std::max(lines - 2, 0) * canvas.font_size * 3 / 2;
+  return canvas;
+}
+
 // For wide and for narrow screens; the style sheet shows one of them. The title is in the caption.
 std::string drawn(const PageFigure& figure) {
   Chart chart = figure.chart;
   chart.title.clear();
   const Plot plot = plot_of(figure.name, chart);
-  const auto wide = draw_svg(plot, wide_canvas, plot.name);
-  const auto narrow = wide ? draw_svg(plot, narrow_canvas, plot.name + "-narrow") : std::nullopt;
+  const auto wide = draw_svg(plot, with_room_for_key(wide_canvas, chart, 3), plot.name);
+  const auto narrow =
+      wide ? draw_svg(plot, with_room_for_key(narrow_canvas, chart, 1), plot.name + "-narrow") : std::nullopt;
   if (!narrow) return "";
   return "<div class=\"wide\">" + inline_svg(*wide, figure.alt) + "</div>\n<div class=\"narrow\">" +
          inline_svg(*narrow, figure.alt) + "</div>\n";

@@ -89,36 +89,46 @@ ForceUnit force_unit(double largest_force) {
   return largest_force >= 1e-7 ? ForceUnit{"uN", 1e-6} : ForceUnit{"nN", 1e-9};
 }
 
+// A layer upon what is stacked already.
+void stack(Chart& chart, const Times& times, std::vector<double>& height, const std::vector<double>& shares,
+           const std::string& name, int colour) {
+  Series band = series(name, Mark::band, colour), edge = series("", Mark::line, colour);
+  const std::vector<double> below = height;
+  for (std::size_t i = 0; i < height.size(); ++i) height[i] += std::isfinite(shares[i]) ? shares[i] : 0;
+  for (const std::size_t i : times.places) {
+    add_bar(band, times.values[i], height[i], below[i], height[i]);
+    add_point(edge, times.values[i], height[i]);
+  }
+  add(chart, band);
+  add(chart, edge);
+}
+
 // Stacked, in the order of the ledger: what is left to 1 is the ledger's error.
 PageFigure ledger_figure(const Times& times, const Json& energy) {
+  constexpr double small = 0.01;  // terms that never reach it share a layer
   PageFigure figure;
   figure.name = "energy_over_time";
   figure.chart.title = "The energy ledger over time";
   figure.chart.x.label = times.label();
-  figure.chart.y.label = "share of the impact energy";
+  figure.chart.y.label = "share of the energy";
   figure.chart.y.low = 0;
-  std::vector<double> below(times.values.size(), 0);
+  std::vector<double> height(times.values.size(), 0), others = height;
   int colour = 0;
   for (const EnergyTerm& term : energy_terms) {
     const auto shares = numbers(at(energy, term.key));
-    if (shares.size() != times.values.size() || largest(shares) < 1e-4) continue;
-    std::vector<double> above = below;
-    for (std::size_t i = 0; i < above.size(); ++i) above[i] += std::isfinite(shares[i]) ? shares[i] : 0;
-    Series band = series(term.words, Mark::band, colour), edge = series("", Mark::line, colour++);
-    for (const std::size_t i : times.places) {
-      add_bar(band, times.values[i], above[i], below[i], above[i]);
-      add_point(edge, times.values[i], above[i]);
-    }
-    add(figure.chart, band);
-    add(figure.chart, edge);
-    below = above;
+    if (shares.size() != height.size()) continue;
+    if (largest(shares) >= small)
+      stack(figure.chart, times, height, shares, term.words, colour++);
+    else
+      for (std::size_t i = 0; i < others.size(); ++i) others[i] += std::isfinite(shares[i]) ? shares[i] : 0;
   }
+  if (largest(others) > 0) stack(figure.chart, times, height, others, "others, each below 1 %", -1);
   double worst = 0;
-  for (const double sum : below) worst = std::max(worst, std::abs(sum - 1));
+  for (const double sum : height) worst = std::max(worst, std::abs(sum - 1));
   figure.caption = fmt::format(
-      "Shares of the impact energy of the first replicate, one upon the other; terms that stay below 0.01 % are not "
-      "drawn. "
-      "The stack is at 1 within {:.2g} %: that is the solver's own energy error.",
+      "Shares of the impact energy of the first replicate, one upon the other. The stack is at 1 within {:.2g} %: that "
+      "is "
+      "the solver's own energy error.",
       100 * worst);
   figure.alt = "The terms of the energy ledger stacked over time. " + figure.caption;
   return figure;
