@@ -168,11 +168,14 @@ std::vector<const PageFigure*> figures_of(const Page& page) {
   return all;
 }
 
-// Higher by the lines of a key with many names, of which so many stand side by side.
-Canvas with_room_for_key(Canvas canvas, const Chart& chart, int side_by_side) {
+// High enough for a key with many names, of which so many stand side by side, and for a long label of the upright axis.
+Canvas with_room_for_words(Canvas canvas, const Chart& chart, int side_by_side) {
+  constexpr double character = 0.62, below_axis = 100;  // width over the font's size; pixels under the axis
   const auto names =
       std::count_if(chart.series.begin(), chart.series.end(), [](const Series& s) { return !s.name.empty(); });
   const int lines = (static_cast<int>(names) + side_by_side - 1) / side_by_side;
+  const double label = character * canvas.font_size * static_cast<double>(chart.y.label.size()) + below_axis;
+  canvas.height = std::max(canvas.height, static_cast<int>(label));
   canvas.height += std::max(lines - 2, 0) * canvas.font_size * 3 / 2;
   return canvas;
 }
@@ -182,9 +185,9 @@ std::string drawn(const PageFigure& figure) {
   Chart chart = figure.chart;
   chart.title.clear();
   const Plot plot = plot_of(figure.name, chart);
-  const auto wide = draw_svg(plot, with_room_for_key(wide_canvas, chart, 3), plot.name);
+  const auto wide = draw_svg(plot, with_room_for_words(wide_canvas, chart, 3), plot.name);
   const auto narrow =
-      wide ? draw_svg(plot, with_room_for_key(narrow_canvas, chart, 1), plot.name + "-narrow") : std::nullopt;
+      wide ? draw_svg(plot, with_room_for_words(narrow_canvas, chart, 1), plot.name + "-narrow") : std::nullopt;
   if (!narrow) return "";
   return "<div class=\"wide\">" + inline_svg(*wide, figure.alt) + "</div>\n<div class=\"narrow\">" +
          inline_svg(*narrow, figure.alt) + "</div>\n";

@@ -27,7 +27,7 @@ TimeUnit unit_for(double longest) {
 
 // Every n-th point, so that a plot has some hundreds, and the last.
 std::vector<std::size_t> thinned(std::size_t count) {
-  constexpr std::size_t most = 400;
+  constexpr std::size_t most = 250;
   const std::size_t step = std::max<std::size_t>(1, (count + most - 1) / most);
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < count; i += step) places.push_back(i);
