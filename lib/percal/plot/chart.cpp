@@ -189,11 +189,11 @@ Plot plot_of(const std::string& name, const Chart& chart) {
                          one.name.empty() ? "notitle" : "title " + quoted(one.name));
   }
   if (count == 0) return {name, csv_of(chart), ""};
-  return {
-      name, csv_of(chart),
-      (chart.title.empty() ? "" : fmt::format("set title {} noenhanced\n", quoted(chart.title))) +
-          "set encoding utf8\nset tics nomirror out scale 0.6\nset pointintervalbox 0\nset key below Left reverse samplen 1.5 height 0.6 noenhanced\n" +
-          axes_of(chart) + "set grid lt 1 lw 0.5 lc rgb \"#bb808080\"\n" + blocks + drawn + "\n"};
+  return {name, csv_of(chart),
+          (chart.title.empty() ? "" : fmt::format("set title {} noenhanced\n", quoted(chart.title))) +
+              "set encoding utf8\nset tics nomirror out scale 0.6\nset pointintervalbox 0\nset key below Left reverse "
+              "samplen 1.5 height 0.6 noenhanced\n" +
+              axes_of(chart) + "set grid lt 1 lw 0.5 lc rgb \"#bb808080\"\n" + blocks + drawn + "\n"};
 }
 
 }  // namespace percal

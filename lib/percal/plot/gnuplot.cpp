@@ -103,7 +103,9 @@ std::optional<std::string> draw_svg(const Plot& plot) { return draw_svg(plot, wi
 
 std::optional<std::string> draw_png(const Plot& plot) {
   if (plot.script.empty()) return std::nullopt;
-  return gnuplot("set terminal pngcairo size 1080,660 pointscale 1.4 linewidth 1.2 font \"sans,13\" background rgb \"white\"\n" + plot.script);
+  return gnuplot(
+      "set terminal pngcairo size 1080,660 pointscale 1.4 linewidth 1.2 font \"sans,13\" background rgb \"white\"\n" +
+      plot.script);
 }
 
 }  // namespace percal

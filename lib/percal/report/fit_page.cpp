@@ -1,10 +1,8 @@
 // The page of `percal fit`.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "percal/report/fit_page_parts.hpp"
 #include "percal/report/show.hpp"
@@ -12,48 +10,6 @@
 namespace percal {
 
 using namespace report_parts;
-
-namespace report_parts {
-
-std::string interval_words(const Json& parameter, const Dimension& dimension) {
-  const auto low = number(parameter, "low"), high = number(parameter, "high");
-  if (!low || !high) return "-";
-  return fmt::format("{}{} to {}{}", quantity(low, dimension), yes(parameter, "low_open") ? " (open)" : "",
-                     quantity(high, dimension), yes(parameter, "high_open") ? " (open)" : "");
-}
-
-PageTable sources_table(const Json& result) {
-  PageTable table{.caption = "The curves", .rows = {{"file", "x", "stress", "points", "SHA-256"}}, .notes = {}};
-  for (const Json& source : list(result, "sources")) {
-    const std::string error = text(source, "error"), digest = text(source, "sha256");
-    table.rows.push_back(
-        {std::filesystem::path(text(source, "file")).filename().string(), text(source, "x"),
-         text(source, "y") + " (" + text(source, "stress") + ")" + (error.empty() ? "" : ", errors " + error),
-         shown(number(source, "points"), 9), digest.empty() ? "-" : digest.substr(0, 16) + "..."});
-  }
-  return table;
-}
-
-std::vector<PagePoints> points_of(const Json& result) {
-  std::vector<PagePoints> all;
-  for (const Json& test : list(result, "data")) {
-    PagePoints points;
-    points.name = text(test, "name");
-    points.deformation = deformation_of(text(test, "deformation")).value_or(Deformation::uniaxial);
-    const auto amount = numbers(at(test, "amount")), across = numbers(at(test, "across"));
-    points.stress = numbers(at(test, "stress_Pa"));
-    points.error = numbers(at(test, "error_Pa"));
-    points.stress.resize(amount.size(), NAN);
-    points.error.resize(amount.size(), NAN);
-    for (std::size_t i = 0; i < amount.size(); ++i)
-      points.strained.push_back(
-          {points.deformation, amount[i], i < across.size() && std::isfinite(across[i]) ? across[i] : 1});
-    all.push_back(points);
-  }
-  return all;
-}
-
-}  // namespace report_parts
 
 namespace {
 
