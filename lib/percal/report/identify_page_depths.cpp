@@ -1,6 +1,6 @@
 // Depths against the impact parameter rho_p v a: what was measured, what the reference computed, what percal predicts.
 // Guha 2009, Figures 4-1 and 4-2.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,10 +95,10 @@ std::string deviation_sentence(const PageSet& set, const std::string& name, cons
   const auto measured = mean_deviation(set.shots, &PageShot::measured);
   const auto theirs = mean_deviation(set.shots, &PageShot::reference);
   if (!measured && !theirs) return "";
-  std::string sentence = " " + name + ":";
-  if (measured) sentence += " " + percent(measured) + " from the measured depths";
-  if (theirs) sentence += (measured ? ", " : " ") + percent(theirs) + " from " + reference;
-  return sentence + " in the mean.";
+  std::vector<std::string> parts;
+  if (measured) parts.push_back(percent(measured) + " from the measured depths");
+  if (theirs) parts.push_back(percent(theirs) + " from " + reference);
+  return fmt::format(" {}: {} in the mean.", name, fmt::join(parts, ", "));
 }
 
 // The second axis of a model's shots: the impact parameter of the particle in the tissue that each is similar to.
