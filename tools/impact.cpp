@@ -165,7 +165,7 @@ void print(const Findings& f) {
   if (p.spread)
     fmt::print(" (spread of {} runs {}, standard error {})", f.runs.size(), length(*p.spread),
                length(*p.standard_error));
-  if (p.at_least) fmt::print(", deeper than the layer's {}", length(*p.at_least));
+  if (p.at_least) fmt::print(", deeper than the target's {}", length(*p.at_least));
   if (f.accuracy) print_accuracy(*f.accuracy);
   fmt::print("\n  mu {} as given ({}), {} true; K {} ({}), Mach {:.3g}\n",
              format_quantity(f.scene.target.mu_as_given, dimension::pressure), word(f.scene.target.convention),

@@ -66,7 +66,7 @@ TEST_F(Impact, ThatPassesThroughIsAResult) {
   EXPECT_EQ(found["outcome"], "passed through");
   EXPECT_TRUE(found["depth_m"].is_null() && found["depth_spread_m"].is_null());
   EXPECT_NEAR(found["depth_at_least_m"], 60e-6, 1e-15);
-  EXPECT_THAT(impact({thin}).out, AllOf(HasSubstr("passed through"), HasSubstr("deeper than the layer's 60 um")));
+  EXPECT_THAT(impact({thin}).out, AllOf(HasSubstr("passed through"), HasSubstr("deeper than the target's 60 um")));
 }
 
 TEST_F(Impact, WhoseTimeIsUpHasNoDepth) {

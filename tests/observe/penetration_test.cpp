@@ -61,6 +61,15 @@ TEST(Penetration, RunsThatPassedThroughGiveABoundAndNoDepth) {
   EXPECT_DOUBLE_EQ(*p.at_least, 75e-6);
 }
 
+TEST(Penetration, WhatWentThroughSeveralLayersWentThroughThemAll) {
+  Problem problem;
+  problem.depth = 5;
+  problem.below = {LowerLayer{}};
+  problem.below.front().depth = 60;
+  const Penetration p = summarise({ended(Outcome::passed_through, 65.01)}, problem, micrometres);
+  EXPECT_NEAR(*p.at_least, 65e-6, 1e-18);
+}
+
 TEST(Penetration, OutcomesOfDifferentKindsAreNeverAveraged) {
   for (const Outcome other : {Outcome::passed_through, Outcome::time_up, Outcome::unstable})
     for (const bool first : {true, false}) {

@@ -16,6 +16,13 @@ using Environment = std::vector<std::pair<std::string, std::string>>;
 
 class Terminal : public Program {
  protected:
+  void SetUp() override {
+    int master = -1, slave = -1;
+    if (openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) GTEST_SKIP() << "no pseudo-terminal (/dev/pts) here";
+    close(master);
+    close(slave);
+  }
+
   // Everything that the program writes to a terminal so many columns wide, standard error among it.
   std::string on_terminal(const std::vector<std::string>& arguments, const Environment& environment = {},
                           unsigned short columns = 200) const {

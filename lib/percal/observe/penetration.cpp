@@ -26,7 +26,7 @@ Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& 
     p.depths.push_back(run.result.depth * scales.radius);
     p.mixed |= run.result.outcome != p.outcomes.front();
     if (p.outcome == Outcome::stopped) p.outcome = run.result.outcome;
-    if (run.result.outcome == Outcome::passed_through) p.at_least = problem.depth * scales.radius;
+    if (run.result.outcome == Outcome::passed_through) p.at_least = problem.whole_depth() * scales.radius;
     if (run.result.steps > 0) p.worst_closure = std::max(p.worst_closure, std::abs(run.result.energy.closure()));
   }
   p.energy = mean_energy(replicates);
