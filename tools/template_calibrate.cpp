@@ -180,18 +180,7 @@ depth = "55 mm"
 # seed = 20090401
 
 # [solver]
-# contact_stiffness = 0.6
-# hourglass = 0.5
-# hourglass_form = "stiffness"
-# volumetric_law = "log-quadratic"
-# eroded_nodes = "released"
-# linear_viscosity = 0.06
-# quadratic_viscosity = 1.2
-# time_step_factor = 0.9
-# rates = 2
-# stiffen_supersonic = false
-# arithmetic = "single"
-# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
+)" + solver_keys + R"(# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
 )"},
           {"STEM_shots.csv", shots_csv},
           {"STEM_curve.csv", curve_csv},

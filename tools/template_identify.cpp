@@ -92,18 +92,7 @@ speed = "83 m/s"
 # [solver]
 # nu = 0.49
 # bulk_to_shear = 50 #> instead of nu
-# contact_stiffness = 0.6
-# hourglass = 0.5
-# hourglass_form = "stiffness"
-# volumetric_law = "log-quadratic"
-# eroded_nodes = "released"
-# linear_viscosity = 0.06
-# quadratic_viscosity = 1.2
-# time_step_factor = 0.9
-# rates = 2
-# stiffen_supersonic = false
-# arithmetic = "single"
-# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
+)" + solver_keys + R"(# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
 
 [alpha]
 value = 9

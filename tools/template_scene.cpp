@@ -71,18 +71,7 @@ width = "8 mm"
 # whole = false
 
 # [solver]
-# contact_stiffness = 0.6
-# hourglass = 0.5
-# hourglass_form = "stiffness"
-# volumetric_law = "log-quadratic"
-# eroded_nodes = "released"
-# linear_viscosity = 0.06
-# quadratic_viscosity = 1.2
-# time_step_factor = 0.9
-# rates = 2
-# stiffen_supersonic = false
-# arithmetic = "single"
-# end_time = "20 ms"
+)" + solver_keys + R"(# end_time = "20 ms"
 
 # [output]
 # history = false

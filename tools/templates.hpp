@@ -15,6 +15,20 @@ struct TextFile {
   std::string text;
 };
 
+// The keys of a table [solver] that scenes and jobs share.
+inline const std::string solver_keys = R"(# contact_stiffness = 0.6
+# hourglass = 0.5
+# hourglass_form = "stiffness"
+# volumetric_law = "log-quadratic"
+# eroded_nodes = "released"
+# linear_viscosity = 0.06
+# quadratic_viscosity = 1.2
+# time_step_factor = 0.9
+# rates = 2
+# stiffen_supersonic = false
+# arithmetic = "single"
+)";
+
 // The first file is the document, the others are what it reads.
 using Template = std::vector<TextFile>;
 

@@ -7,3 +7,4 @@
 #pragma once
 #include "percal/plot/chart.hpp"
 #include "percal/plot/gnuplot.hpp"
+#include "percal/plot/quoted.hpp"

@@ -22,7 +22,7 @@ MAY_SEE = {
     "invert": ["base", "math"],
     "card": ["base", "units", "text", "material"],
     "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store", "invert"],
-    "study": ["base", "math", "mesh", "scene", "problem", "impact", "observe", "store", "campaign"],
+    "study": ["base", "math", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign"],
     "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot"],
     "report": ["base", "math", "units", "text", "material", "scaling", "plot"],

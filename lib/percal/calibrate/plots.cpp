@@ -6,27 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "percal/plot/quoted.hpp"
+
 namespace percal {
 namespace {
 
 constexpr std::array<const char*, 8> colours{"#c8553d", "#1b6ca8", "#4d8f3c", "#8a5fa8",
                                              "#b8860b", "#3a9d9d", "#7f7f7f", "#d1749c"};
 const char* colour(std::size_t k) { return colours[k % colours.size()]; }
-
-// Text that gnuplot takes as it stands: in single quotes, without its markup.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) >= ' ') safe += c == '\'' ? std::string("''") : std::string(1, c);
-  return "'" + safe + "'";
-}
-
-std::string csv_quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) >= ' ') safe += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return "\"" + safe + "\"";
-}
 
 std::string heading(const std::string& title, const std::string& x, const std::string& y) {
   return fmt::format(R"(set terminal svg size 860,520 font "sans,13" background rgb "white" dynamic
@@ -37,7 +24,7 @@ set border 3 lw 0.8
 set tics nomirror out
 set key outside right top samplen 1.5 spacing 1.2 noenhanced
 )",
-                     quoted(title), quoted(x), quoted(y));
+                     gnuplot_quoted(title), gnuplot_quoted(x), gnuplot_quoted(y));
 }
 
 // A plot grows series by series: a block of data, and how it is drawn.
@@ -105,10 +92,11 @@ void add_reading(const CalibrationJob& job, const ReadingResult& reading, int mo
   const double strain = best_at(job, reading, map->first), mu = best_at(job, reading, map->second);
   const char* const drawn_in = colour(static_cast<std::size_t>(reading.reading));
   if (!map->contours.empty())
-    script.add(contour_points(*map), fmt::format("with lines lw 1.5 lc rgb \"{}\" title {}", drawn_in, quoted(name)));
+    script.add(contour_points(*map),
+               fmt::format("with lines lw 1.5 lc rgb \"{}\" title {}", drawn_in, gnuplot_quoted(name)));
   script.add(fmt::format("{:.5g} {:.5g}\n", strain, mu),
              fmt::format("with points pt 7 ps 0.8 lc rgb \"{}\" {}", drawn_in,
-                         map->contours.empty() ? "title " + quoted(name) : "notitle"));
+                         map->contours.empty() ? "title " + gnuplot_quoted(name) : "notitle"));
   extent.take(mu);
   csv += fmt::format("{},best,0,{:.8g},{:.8g}\n", csv_quoted(name), strain, mu);
   for (std::size_t line = 0; line < map->contours.size(); ++line)
@@ -127,7 +115,8 @@ void add_published(const CalibrationJob& job, int modulus, Script& script, std::
       points += fmt::format("{:.5g} {:.5g}\n", pair.erosion_strain, pair.mu);
       csv += fmt::format("{},published,0,{:.8g},{:.8g}\n", csv_quoted(published.name), pair.erosion_strain, pair.mu);
     }
-    script.add(points, fmt::format("with points pt 4 ps 0.9 lc rgb \"black\" title {}", quoted(published.name)));
+    script.add(points,
+               fmt::format("with points pt 4 ps 0.9 lc rgb \"black\" title {}", gnuplot_quoted(published.name)));
   }
 }
 
@@ -170,7 +159,7 @@ Plot depth_plot(const CalibrationJob& job, const ReadingResult& reading) {
     const auto add = [&](const std::string& points, int point_type, const std::string& of) {
       if (!points.empty())
         script.add(points, fmt::format("using 1:2:3:4 with yerrorbars pt {} ps 0.6 lc rgb \"{}\" title {}", point_type,
-                                       colour(s), quoted(job.sets[s].name + of)));
+                                       colour(s), gnuplot_quoted(job.sets[s].name + of)));
     };
     add(fitted, 7, ", fitted");
     add(predicted, 6, ", predicted");
@@ -202,7 +191,7 @@ Plot time_plot(const CalibrationResult& result) {
     }
     if (points.empty()) continue;
     script.add(points, fmt::format("using 1:2 with linespoints pt 7 ps 0.6 lw 1.3 lc rgb \"{}\" title {}", colour(e),
-                                   quoted(emulator.setting)));
+                                   gnuplot_quoted(emulator.setting)));
     if (!(emulator.data_error > 0)) continue;
     errors.take(100 * emulator.data_error);
     script.plot += fmt::format(", \\\n     {:.5g} with lines dt 2 lw 0.9 lc rgb \"{}\" title \"the data's\"",

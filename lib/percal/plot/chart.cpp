@@ -7,24 +7,10 @@
 #include <cmath>
 
 #include "percal/plot/palette.hpp"
+#include "percal/plot/quoted.hpp"
 
 namespace percal {
 namespace {
-
-// Text that gnuplot takes as it stands: in single quotes, on one line.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) >= ' ') safe += c == '\'' ? std::string("''") : std::string(1, c);
-  return "'" + safe + "'";
-}
-
-std::string csv_quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) >= ' ') safe += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return "\"" + safe + "\"";
-}
 
 // Lists may be shorter than x: what is not there is no number.
 double at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? values[i] : NAN; }
@@ -90,7 +76,7 @@ std::vector<double> logarithmic_tics(const Extent& extent) {
 std::string tics_of(const std::string& name, const Axis& axis, const Extent& extent) {
   std::string listed;
   const auto add = [&](const std::string& label, double place) {
-    listed += fmt::format("{}{} {:.9g}", listed.empty() ? "" : ", ", quoted(label), place);
+    listed += fmt::format("{}{} {:.9g}", listed.empty() ? "" : ", ", gnuplot_quoted(label), place);
   };
   for (const auto& [place, label] : axis.tics) add(label, place);
   if (listed.empty() && axis.logarithmic)
@@ -99,9 +85,9 @@ std::string tics_of(const std::string& name, const Axis& axis, const Extent& ext
 }
 
 std::string axis_of(const std::string& name, const Axis& axis, const Extent& extent) {
-  return fmt::format("set {0}label {1} noenhanced{5}\n{2}set {0}range [{3:.9g}:{4:.9g}]\n", name, quoted(axis.label),
-                     axis.logarithmic ? "set logscale " + name + "\n" : "", extent.low, extent.high,
-                     name == "x" ? " offset 0,0.4" : "") +
+  return fmt::format("set {0}label {1} noenhanced{5}\n{2}set {0}range [{3:.9g}:{4:.9g}]\n", name,
+                     gnuplot_quoted(axis.label), axis.logarithmic ? "set logscale " + name + "\n" : "", extent.low,
+                     extent.high, name == "x" ? " offset 0,0.4" : "") +
          tics_of(name, axis, extent);
 }
 
@@ -186,11 +172,11 @@ Plot plot_of(const std::string& name, const Chart& chart) {
     if (data.find_first_not_of('\n') == std::string::npos) continue;
     blocks += fmt::format("$s{} << EOD\n{}EOD\n", ++count, data);
     drawn += fmt::format("{}$s{} {} {}", drawn.empty() ? "plot " : ", \\\n     ", count, style_of(one),
-                         one.name.empty() ? "notitle" : "title " + quoted(one.name));
+                         one.name.empty() ? "notitle" : "title " + gnuplot_quoted(one.name));
   }
   if (count == 0) return {name, csv_of(chart), ""};
   return {name, csv_of(chart),
-          (chart.title.empty() ? "" : fmt::format("set title {} noenhanced\n", quoted(chart.title))) +
+          (chart.title.empty() ? "" : fmt::format("set title {} noenhanced\n", gnuplot_quoted(chart.title))) +
               "set encoding utf8\nset tics nomirror out scale 0.6\nset pointintervalbox 0\nset key below Left reverse "
               "samplen 1.5 height 0.6 noenhanced\n" +
               axes_of(chart) + "set grid lt 1 lw 0.5 lc rgb \"#bb808080\"\n" + blocks + drawn + "\n"};

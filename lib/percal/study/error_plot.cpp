@@ -5,18 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/plot/quoted.hpp"
+
 namespace percal {
 namespace {
 
 constexpr std::array<const char*, 3> colours{"#c8553d", "#1b6ca8", "#4d8f3c"};
-
-// Text that gnuplot takes as it stands: in single quotes, without its markup.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) >= ' ') safe += c == '\'' ? std::string("''") : std::string(1, c);
-  return "'" + safe + "'";
-}
 
 // Where the processor time of a series starts and ends, with room beside it.
 struct Span {
@@ -56,8 +50,7 @@ std::string error_plot_script(const Ladder& ladder, const ErrorVsTime& study, co
     }
   for (std::size_t c = 0; c < replicate_counts.size(); ++c) script += data_block(ladder, study, c);
   const Span seconds = seconds_of(ladder, study);
-  script +=
-      fmt::format(R"(set terminal svg size 860,480 font "sans,13" background rgb "white" dynamic
+  script += fmt::format(R"(set terminal svg size 860,480 font "sans,13" background rgb "white" dynamic
 set title {0} noenhanced
 set label 1 "small numbers: elements per radius" at graph 0.99,0.97 right font ",11" tc rgb "{5}"
 set xlabel "processor time of all runs, s"
@@ -74,7 +67,8 @@ set arrow from {1:.6g},5 to {2:.6g},5 nohead lw 0.6 lc rgb "#cccccc" back
 set arrow from {1:.6g},2 to {2:.6g},2 nohead lw 0.6 lc rgb "#cccccc" back
 set arrow from {1:.6g},1 to {2:.6g},1 nohead lw 0.6 lc rgb "#cccccc" back
 )",
-                  quoted(title), seconds.from, seconds.to, lowest / 1.3, std::max(highest * 1.3, 6.0), colours[0]);
+                        gnuplot_quoted(title), seconds.from, seconds.to, lowest / 1.3, std::max(highest * 1.3, 6.0),
+                        colours[0]);
   std::string plot;
   for (std::size_t c = 0; c < replicate_counts.size(); ++c) {
     const int count = replicate_counts[c];

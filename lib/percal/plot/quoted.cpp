@@ -1,0 +1,22 @@
+#include "percal/plot/quoted.hpp"
+
+namespace percal {
+namespace {
+
+// The quote is doubled within.
+std::string between(char quote, const std::string& text) {
+  std::string safe(1, quote);
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < ' ') continue;
+    if (c == quote) safe += quote;
+    safe += c;
+  }
+  return safe + quote;
+}
+
+}  // namespace
+
+std::string gnuplot_quoted(const std::string& text) { return between('\'', text); }
+std::string csv_quoted(const std::string& text) { return between('"', text); }
+
+}  // namespace percal

@@ -1,0 +1,13 @@
+// Text within gnuplot's scripts and CSV files, whatever it holds: on one line, control characters left out.
+#pragma once
+#include <string>
+
+namespace percal {
+
+// In single quotes, as gnuplot takes it as it stands; `noenhanced` keeps its markup from being read.
+std::string gnuplot_quoted(const std::string& text);
+
+// In double quotes, as a cell of a CSV file.
+std::string csv_quoted(const std::string& text);
+
+}  // namespace percal
