@@ -17,7 +17,7 @@
 #include "percal/text/file.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/words.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include "percal/card/header.hpp"
 #include "percal/material/stability.hpp"
 #include "percal/text/file.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

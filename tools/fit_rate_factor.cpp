@@ -14,7 +14,7 @@
 #include "percal/fit/uncertainty_json.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

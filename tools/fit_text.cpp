@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fit_output.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

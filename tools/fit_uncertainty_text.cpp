@@ -3,7 +3,7 @@
 
 #include "fit_output.hpp"
 #include "fit_text.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

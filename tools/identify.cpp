@@ -16,7 +16,7 @@
 #include "percal/identify/result_json.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/text/file.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -15,7 +15,7 @@
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

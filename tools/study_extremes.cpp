@@ -10,7 +10,7 @@
 #include "percal/study/extremes_json.hpp"
 #include "percal/text/file.hpp"
 #include "studies.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

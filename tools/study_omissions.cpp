@@ -12,7 +12,7 @@
 #include "percal/text/file.hpp"
 #include "percal/units/quantity.hpp"
 #include "studies.hpp"
-#include "table.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -10,6 +10,6 @@ std::string version();
 inline constexpr int solver_version = 2;
 
 // Raised whenever a result file's keys change meaning.
-inline constexpr int result_schema = 1;
+inline constexpr int result_schema = 2;
 
 }  // namespace percal

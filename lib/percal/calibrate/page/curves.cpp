@@ -1,0 +1,110 @@
+// A reading's curves over the measured ones, with the band in which one more point would lie, and what is left.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "percal/calibrate/page/parts.hpp"
+#include "percal/page/numbers.hpp"
+
+namespace percal::page {
+namespace {
+
+struct CurvePoint {
+  double amount = 0, measured = 0, model = 0, low = 0, high = 0;  // stretch or shear; Pa
+};
+
+// The points of one deformation, from the least stretch on.
+std::vector<CurvePoint> points_of(const Json& curve, const Json& ours, const std::string& deformation) {
+  const Json& measured = at(curve, "measured");
+  const auto words = texts(at(measured, "deformation"));
+  const auto amount = numbers(at(measured, "stretch_or_shear")), stress = numbers(at(measured, "stress_Pa"));
+  const auto model = numbers(at(ours, "stress_Pa")), low = numbers(at(ours, "low_Pa")),
+             high = numbers(at(ours, "high_Pa"));
+  const std::size_t count =
+      std::min({words.size(), amount.size(), stress.size(), model.size(), low.size(), high.size()});
+  std::vector<CurvePoint> points;
+  for (std::size_t i = 0; i < count; ++i)
+    if (words[i] == deformation) points.push_back({amount[i], stress[i], model[i], low[i], high[i]});
+  std::stable_sort(points.begin(), points.end(),
+                   [](const CurvePoint& a, const CurvePoint& b) { return a.amount < b.amount; });
+  return points;
+}
+
+// The deformations of a curve, each once.
+std::vector<std::string> deformations_of(const Json& curve) {
+  std::vector<std::string> all;
+  for (const std::string& word : texts(at(at(curve, "measured"), "deformation")))
+    if (std::find(all.begin(), all.end(), word) == all.end()) all.push_back(word);
+  return all;
+}
+
+Chart chart_of(const std::string& title, const std::string& deformation, const std::string& y) {
+  return {.title = title,
+          .x = {.label = deformation == "simple_shear" ? "shear" : "stretch, " + deformation},
+          .y = {.label = y}};
+}
+
+void add_figures(const Json& result, const Json& curve, const std::vector<CurvePoint>& points,
+                 const std::string& deformation, const std::string& name, std::vector<Figure>& figures) {
+  double largest = 0, squares = 0;
+  int within = 0;
+  for (const CurvePoint& p : points) {
+    largest = std::max(largest, std::abs(p.measured));
+    squares += (p.measured - p.model) * (p.measured - p.model);
+    within += p.low <= p.measured && p.measured <= p.high;
+  }
+  const ShownUnit unit = pressure_unit(largest);
+  const std::string kind = yes(curve, "synthetic") ? "synthetic" : "measured",
+                    title = text(curve, "name") + ", " + text(curve, "material");
+  Series band = series(level_words(result) + " of one point", Mark::band, 0), model = series("model", Mark::line, 0),
+         measured = series(kind, Mark::points, 1), left = series(kind + " less model", Mark::points, 1),
+         around = series(level_words(result) + " of one point", Mark::band, 0), zero = series("", Mark::line, 0);
+  for (const CurvePoint& p : points) {
+    add_bar(band, p.amount, p.model / unit.size, p.low / unit.size, p.high / unit.size);
+    add_point(model, p.amount, p.model / unit.size);
+    add_point(measured, p.amount, p.measured / unit.size);
+    add_point(left, p.amount, (p.measured - p.model) / unit.size);
+    add_bar(around, p.amount, 0, (p.low - p.model) / unit.size, (p.high - p.model) / unit.size);
+    add_point(zero, p.amount, 0);
+  }
+  Chart over = chart_of(title, deformation, "nominal stress, " + unit.name),
+        residuals = chart_of(title + ": residuals", deformation, "measured less model, " + unit.name);
+  for (const Series& one : {band, model, measured}) add(over, one);
+  for (const Series& one : {around, zero, left}) add(residuals, one);
+  const double rms = std::sqrt(squares / static_cast<double>(points.size()));
+  const std::string finding = fmt::format("{} of {} points lie in the band; root mean square of the residuals {}.",
+                                          within, points.size(), pressure(rms, 3));
+  figures.push_back(
+      {.name = name,
+       .caption = "The curve over its data. " + finding,
+       .alt = fmt::format("Nominal stress against stretch: {} points and the model's curve through its band. {}",
+                          points.size(), finding),
+       .chart = over});
+  figures.push_back({.name = name + "_residuals",
+                     .caption = "What the curve leaves of the data. " + finding,
+                     .alt = "Residuals against stretch, about zero, with the band. " + finding,
+                     .chart = residuals});
+}
+
+}  // namespace
+
+std::vector<Figure> curve_figures(const Json& result, const Json& reading, int number_of_reading) {
+  std::vector<Figure> figures;
+  const Json& curves = list(at(result, "data"), "curves");
+  int n = 0;
+  for (const Json& ours : list(reading, "curves")) {
+    const auto index = static_cast<std::size_t>(number_or(ours, "curve", -1));
+    if (index >= curves.size()) continue;
+    for (const std::string& deformation : deformations_of(curves[index])) {
+      const auto points = points_of(curves[index], ours, deformation);
+      if (points.size() > 1)
+        add_figures(result, curves[index], points, deformation, fmt::format("curve_{}_{}", number_of_reading, ++n),
+                    figures);
+    }
+  }
+  return figures;
+}
+
+}  // namespace percal::page

@@ -1,0 +1,66 @@
+// Parts of the pages of curve fits. For the .cpp files of this folder.
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/material/hyperelastic.hpp"
+#include "percal/page/sections.hpp"
+#include "percal/units/quantity.hpp"
+
+namespace percal::page {
+
+// The solid of an entry of `minima`.
+Hyperelastic solid_of(const Json& minimum);
+
+// What the linearised model says of the best minimum: the covariance of mu_1, .., mu_K (Pa) and of the exponents that
+// were fitted, and Student's t at the fit's level.
+struct CurveErrors {
+  Eigen::MatrixXd covariance;
+  double student = 2, level = 0.95;
+  bool free_alphas = true;
+};
+// None where the fit gives no standard errors: at a bound, with a robust loss, where the points cannot tell.
+std::optional<CurveErrors> curve_errors(const Json& result);
+
+// Half the width of the curve's confidence band, Pa.
+double half_width(const Hyperelastic& solid, const CurveErrors& errors, const Strained& strained);
+
+// 2 mu/alpha of a one-term solid and half the width of its interval, by the linearised model.
+struct Mu1 {
+  double value;
+  std::optional<double> half_width;
+};
+Mu1 mu_over_alpha(const Ogden& term, const std::optional<CurveErrors>& errors);
+
+// The points of one test in a result's `data`.
+struct PagePoints {
+  std::string name;
+  Deformation deformation = Deformation::uniaxial;
+  std::vector<Strained> strained;
+  std::vector<double> stress, error;  // Pa; error is NaN where there is none
+};
+std::vector<PagePoints> points_of(const Json& result);
+
+// One curve beside its points: the model's stress at a deformation, and half its band's width (NaN: no band).
+struct PageCurve {
+  std::string name;  // "fit"
+  PagePoints points;
+  std::function<double(const Strained&)> stress, half_width;
+};
+
+// A figure for each deformation, points over curves, and one of the residuals, in the fit's own kind.
+void add_curve_figures(Section& section, const std::vector<PageCurve>& curves, const std::string& band_words);
+Figure residual_figure(const std::vector<PageCurve>& curves, const std::string& residual);
+
+// Files, columns, SHA-256.
+Table sources_table(const Json& result);
+
+// "3.1 to 3.4", with what is open about it.
+std::string interval_words(const Json& parameter, const Dimension& dimension);
+
+Page rate_factor_page(const Json& result);
+
+}  // namespace percal::page

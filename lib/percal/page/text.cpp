@@ -1,0 +1,179 @@
+#include "percal/page/text.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "percal/page/table.hpp"
+
+namespace percal::page {
+namespace {
+
+using Row = std::vector<std::string>;
+
+constexpr std::size_t least_folded_width = 16;
+
+// UTF-8: every byte but a continuation byte starts a character.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+std::vector<std::size_t> widths_of(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], characters(row[c]));
+  }
+  return widths;
+}
+
+std::size_t total(const std::vector<std::size_t>& widths) {
+  std::size_t sum = 0;
+  for (const std::size_t width : widths) sum += width + 2;
+  return sum;
+}
+
+std::string line_of(const Row& row, const std::vector<std::size_t>& widths, const std::vector<bool>& flush_right) {
+  std::string line = " ";
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    const std::string pad(widths[c] - characters(row[c]), ' ');
+    line += (c == 0 ? " " : "  ") + (flush_right[c] ? pad + row[c] : row[c] + pad);
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+// Lines of at most so many characters, broken at blanks; a longer word stays whole.
+std::vector<std::string> folded(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && characters(lines.back()) + 1 + characters(word) > width) lines.push_back("");
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
+// Rows whose last cell is too long go on below themselves.
+std::vector<Row> with_last_column_folded(const std::vector<Row>& rows, std::size_t columns, std::size_t width) {
+  std::vector<Row> result;
+  for (const Row& row : rows) {
+    result.push_back(row);
+    if (row.size() < columns) continue;
+    const auto lines = folded(row.back(), width);
+    result.back().back() = lines.front();
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+      Row more(columns);
+      more.back() = lines[k];
+      result.push_back(more);
+    }
+  }
+  return result;
+}
+
+// "first cell", then "  header: cell" line by line.
+std::string as_lists(const std::vector<Row>& rows) {
+  std::string text;
+  for (std::size_t r = 1; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < rows[r].size(); ++c) {
+      const std::string head = c < rows[0].size() ? rows[0][c] : "";
+      if (c == 0) text += "  " + rows[r][c] + "\n";
+      if (c > 0 && !rows[r][c].empty()) text += "    " + (head.empty() ? "" : head + ": ") + rows[r][c] + "\n";
+    }
+  return text;
+}
+
+// A terminal's escape codes.
+std::string bold(const std::string& text, const TextStyle& style) {
+  return style.colour ? "\033[1m" + text + "\033[0m" : text;
+}
+std::string yellow(const std::string& text, const TextStyle& style) {
+  return style.colour ? "\033[33m" + text + "\033[0m" : text;
+}
+
+std::string plain(const Table& table, const std::vector<Row>& rows, const TextStyle& style) {
+  const auto widths = widths_of(rows);
+  std::vector<bool> flush_right(widths.size());
+  for (std::size_t c = 0; c < widths.size(); ++c) flush_right[c] = is_column_of_numbers(table, c);
+  std::string text;
+  for (std::size_t r = has_header(table) ? 0 : 1; r < rows.size(); ++r) {
+    const std::string line = line_of(rows[r], widths, flush_right);
+    text += r == 0 ? bold(line.substr(0, line.size() - 1), style) + "\n" : line;
+    if (r == 0) text += "  " + std::string(total(widths) - 2, '-') + "\n";
+  }
+  return text;
+}
+
+// Indented by two, folded where there are columns; further lines of a list's item are indented by `hang` more.
+std::string sentence(const std::string& text, const TextStyle& style, std::size_t hang = 0) {
+  const std::size_t indent = 2;
+  const auto columns = static_cast<std::size_t>(style.columns);
+  const auto room = columns > indent + hang + least_folded_width ? columns - indent - hang : std::string::npos;
+  std::string all;
+  for (const std::string& line : folded(text, room))
+    all += std::string(indent + (all.empty() ? 0 : hang), ' ') + line + "\n";
+  return all;
+}
+
+struct Writer {
+  const TextStyle& style;
+
+  std::string operator()(const Sentence& words) const { return sentence(words.text, style); }
+  std::string operator()(const List& list) const {
+    std::string text;
+    for (const std::string& item : list.items) {
+      if (list.tone == Tone::plain) text += sentence("- " + item, style, 2);
+      if (list.tone == Tone::plain) continue;
+      const std::string mark = list.tone == Tone::note ? "note:" : "warning:";
+      text += sentence(mark + " " + item, style, 2).replace(2, mark.size(), yellow(mark, style));
+    }
+    return text;
+  }
+  std::string operator()(const Table& table) const { return as_text(table, style); }
+  std::string operator()(const Figure& figure) const {
+    return sentence("[figure " + figure.name + "] " + figure.caption, style);
+  }
+  std::string operator()(const Code& code) const {
+    const auto lines = std::count(code.text.begin(), code.text.end(), '\n');
+    return sentence("[" + code.caption + ": " + std::to_string(lines) + " lines, in the result]", style);
+  }
+};
+
+}  // namespace
+
+std::string as_text(const Table& table, const TextStyle& style) {
+  if (table.rows.empty()) return "";
+  std::string text = table.caption.empty() ? "" : sentence(table.caption, style);
+  const auto widths = widths_of(table.rows);
+  const auto room = static_cast<std::size_t>(style.columns);
+  if (style.columns <= 0 || total(widths) <= room) {
+    text += plain(table, table.rows, style);
+  } else {
+    const std::size_t others = total(widths) - widths.back();
+    const auto fit = others + least_folded_width > room
+                         ? table.rows
+                         : with_last_column_folded(table.rows, widths.size(), room - others);
+    text += total(widths_of(fit)) <= room ? plain(table, fit, style) : as_lists(table.rows);
+  }
+  for (const std::string& note : table.notes) text += sentence(note, style);
+  return text;
+}
+
+std::string as_text(const Section& section, const TextStyle& style) {
+  std::string text = bold(section.title, style) + "\n";
+  for (const Block& block : section.blocks) {
+    const bool is_table = std::holds_alternative<Table>(block);
+    if (is_table && &block != &section.blocks.front()) text += "\n";
+    text += std::visit(Writer{style}, block);
+  }
+  return text + "\n";
+}
+
+std::string as_text(const Page& page, const TextStyle& style) {
+  std::string text = bold(page.title, style) + "\n" + (page.summary.empty() ? "" : sentence(page.summary, style)) + "\n";
+  for (const Section& section : page.sections)
+    if (section.detail == Detail::answer || style.detail == Detail::more) text += as_text(section, style);
+  return text;
+}
+
+}  // namespace percal::page

@@ -1,9 +1,0 @@
-// The style sheet of a page.
-#pragma once
-
-namespace percal::report_parts {
-
-// For wide and narrow screens, light and dark, and print.
-extern const char* const style_sheet;
-
-}  // namespace percal::report_parts

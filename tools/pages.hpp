@@ -1,0 +1,23 @@
+// The pages of all commands: the one place that sees them.
+#pragma once
+#include <string>
+
+#include "percal/page/comparison.hpp"
+#include "percal/page/text.hpp"
+
+namespace percal::tools {
+
+// The page of a result.json of any command that writes one. Throws BadInput with `file` where it is none, where its schema is
+// another, or where a key is missing.
+page::Page page_of_result(const page::Json& result, const std::string& file);
+
+// Reads the file. Throws BadInput as above.
+page::ReadResult read_result(const std::string& file);
+
+// A table on standard output.
+std::string aligned(const std::vector<std::vector<std::string>>& rows);
+
+// Standard output as it is: the terminal's columns and colours.
+page::TextStyle terminal_style(page::Detail detail);
+
+}  // namespace percal::tools
