@@ -1,4 +1,4 @@
-// percal calibrate: curves and depths together, every reading in tables; result.json and plots in one folder.
+// percal calibrate: curves and depths together, every hypothesis in tables; result.json and plots in one folder.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -7,6 +7,7 @@
 
 #include "colour.hpp"
 #include "commands.hpp"
+#include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/plots.hpp"
@@ -17,7 +18,6 @@
 #include "percal/text/file.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/words.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {
@@ -47,12 +47,12 @@ void print(const TextTable& table) {
 }
 
 void print(const CalibrationJob& job, const CalibrationResult& result, ShotTables shots) {
-  for (const ReadingResult& reading : result.readings) {
-    fmt::print("=== {}: {}\n\n", reading.reading + 1, job.readings[reading.reading].name);
-    for (const TextTable& table : reading_tables(job, result, reading, shots)) print(table);
+  for (const HypothesisResult& hypothesis : result.hypotheses) {
+    fmt::print("=== {}: {}\n\n", hypothesis.index + 1, job.hypotheses[hypothesis.index].name);
+    for (const TextTable& table : hypothesis_tables(job, result, hypothesis, shots)) print(table);
   }
   fmt::print("=== all\n\n");
-  if (result.readings.size() > 1) print(readings_side_by_side(job, result));
+  if (result.hypotheses.size() > 1) print(hypotheses_side_by_side(job, result));
   if (result.dehn) print(dehn_table(job, *result.dehn));
   for (const TextTable& table : emulator_tables(result)) print(table);
   for (const std::string& finding : result.findings) fmt::print("{} {}\n", yellow("note:"), finding);
@@ -79,8 +79,9 @@ Exit say_valid(const CalibrateArguments& arguments, const CalibrationJob& job, c
   if (common.json)
     fmt::print("{}\n", nlohmann::json{{"command", "calibrate"}, {"job", arguments.job}, {"valid", true}}.dump());
   else if (!common.quiet)
-    fmt::print("{}: a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} readings\n",
-               arguments.job, job.parameters.size(), job.shots.size(), fitted, job.curves.size(), job.readings.size());
+    fmt::print("{}: a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses\n",
+               arguments.job, job.parameters.size(), job.shots.size(), fitted, job.curves.size(),
+               job.hypotheses.size());
   return Exit::done;
 }
 
@@ -110,11 +111,11 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   if (common.json) fmt::print("{}", json);
   if (talk) {
     fmt::print("\n");
-    print(job, result, arguments.details ? ShotTables::all : ShotTables::where_few);
+    print(job, result, common.details ? ShotTables::all : ShotTables::where_few);
     fmt::print("Results: {}{}\n", folder,
                drawn ? "" : " (plots were not drawn: no gnuplot; the CSV files have their points)");
   }
-  return result.readings.empty() ? Exit::outcome_not_reached : Exit::done;
+  return result.hypotheses.empty() ? Exit::outcome_not_reached : Exit::done;
 }
 
 }  // namespace percal::tools

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "card_options.hpp"
+#include "pages.hpp"
 #include "percal/card/header.hpp"
 #include "percal/material/stability.hpp"
 #include "percal/text/file.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -9,12 +9,15 @@
 namespace percal::tools {
 
 struct Common {
-  std::string out;     // folder for results; empty: NAME.out beside the job
+  std::string out;     // folder for results; empty: NAME.out in the working folder; none: no files
   std::string store;   // evaluation store; empty: default_store_path()
   int threads = 0;     // evaluations side by side; 0: as many as there are cores
   bool json = false;   // print the result on standard output
   bool check = false;  // read and validate, run nothing
   bool quiet = false;
+  bool details = false;  // print everything that the page has, not the answer alone
+
+  bool talks() const { return !quiet && !json; }
 };
 
 struct FitArguments {
@@ -58,8 +61,7 @@ struct IdentifyArguments {
 
 struct CalibrateArguments {
   std::string job;
-  std::string budget;    // "60s"; empty: no limit
-  bool details = false;  // every shot and every fresh run in tables
+  std::string budget;  // "60s"; empty: no limit
 };
 
 // One of the three kinds of study; `scene` is empty where it brings its own.
@@ -78,8 +80,8 @@ struct CardArguments {
   std::string card;    // of read and check
   std::string solver;  // of Solver, or csv
   std::string units;   // empty: si to write, the card's own to read
-  std::string file;  // where to write; empty: standard output
-  std::string deck;  // uniaxial; empty: the card alone
+  std::string file;    // where to write; empty: standard output
+  std::string deck;    // uniaxial; empty: the card alone
   double stretch = 2;
   int increments = 20;
   std::string name;     // of the card to take, or of the card of a fit
@@ -140,7 +142,8 @@ Exit run_keys(const KeysArguments&, const Common&);
 Exit run_completion(const CompletionArguments&, const DescribedCommand& program);
 Exit run_man(const ManArguments&, const DescribedCommand& program);
 
-// NAME.out beside the job NAME.toml, or what --out says.
-std::string out_folder(const std::string& job, const Common&);
+// Where a command's files go: NAME.out in the working folder, NAME the stem of its first input, or what --out says; empty where --out
+// is none. Throws IoFailure where the folder cannot be written to.
+std::string out_folder(const std::string& first_input, const Common&);
 
 }  // namespace percal::tools

@@ -37,8 +37,12 @@ json input_of(const FitArguments& arguments) {
 }
 
 json empty_list(const std::string& name, Deformation deformation) {
-  return {{"name", name},           {"deformation", word(deformation)}, {"amount", json::array()},
-          {"across", json::array()}, {"stress_Pa", json::array()},       {"error_Pa", json::array()}};
+  return {{"name", name},
+          {"deformation", word(deformation)},
+          {"amount", json::array()},
+          {"across", json::array()},
+          {"stress_Pa", json::array()},
+          {"error_Pa", json::array()}};
 }
 
 void add_point(json& list, const StressPoint& point) {

@@ -9,12 +9,12 @@
 
 #include "fit_output.hpp"
 #include "fit_text.hpp"
+#include "pages.hpp"
 #include "percal/fit/fit_json.hpp"
 #include "percal/fit/read_curves.hpp"
 #include "percal/fit/uncertainty_json.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

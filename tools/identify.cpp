@@ -8,6 +8,7 @@
 
 #include "colour.hpp"
 #include "commands.hpp"
+#include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/card/abaqus.hpp"
@@ -16,7 +17,6 @@
 #include "percal/identify/result_json.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/text/file.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "pages.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/identify/job.hpp"
 #include "percal/problem/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

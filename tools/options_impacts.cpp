@@ -4,13 +4,16 @@
 namespace percal::tools {
 
 void add_common(CLI::App& command, Common& common, bool runs_impacts) {
-  command.add_option("--out", common.out, "folder for results (default: NAME.out beside the job)");
+  command.add_option(
+      "--out", common.out,
+      "folder for results (default: NAME.out in the working folder, NAME that of the input; none: no files)");
   if (runs_impacts) {
     command.add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
     command.add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")
         ->check(CLI::Range(0, 4096));
   }
   command.add_flag("--json", common.json, "print the result as JSON on standard output");
+  command.add_flag("--details", common.details, "print all of the result, not the answer alone");
   command.add_flag("--check", common.check, "read and validate, run nothing");
   command.add_flag("--quiet", common.quiet, "print nothing but errors");
 }
@@ -26,9 +29,10 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
   command->add_option("--arithmetic", impact.arithmetic, "single or double")
       ->check(CLI::IsMember({"single", "double"}));
   command->add_option("--history", impact.history, "write the penetration history to this CSV file");
-  command->add_option("--fields", impact.fields,
-                      "write fields of the first run for ParaView, as every=0.5us, every=10um (of depth), every=2% (of the "
-                      "target's depth) or every=200 (steps), to fields/ in the folder for results");
+  command->add_option(
+      "--fields", impact.fields,
+      "write fields of the first run for ParaView, as every=0.5us, every=10um (of depth), every=2% (of the "
+      "target's depth) or every=200 (steps), to fields/ in the folder for results");
   command->add_option("--picture", impact.picture, "draw the first run's last state to this PNG, SVG or PDF file");
   command
       ->add_option(
@@ -58,7 +62,6 @@ void add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common,
       "curves and depths of shots together -> free parameters with intervals, ridges, predictions, advice");
   command->add_option("job", calibrate.job, "TOML job")->required();
   command->add_option("--budget", calibrate.budget, "wall time to keep to, as 60s or 5min: the best answer within it");
-  command->add_flag("--details", calibrate.details, "print every shot and every fresh run");
   command->footer("Example: percal calibrate data/synthetic/joint.toml --budget 60s");
   add_common(*command, common, true);
   commands.push_back({command, [&] { return run_calibrate(calibrate, common); }, true});

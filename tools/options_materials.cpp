@@ -64,7 +64,8 @@ namespace {
 
 void add_card_write(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
   auto* command = card_command.add_subcommand("write", "write the card of a result");
-  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or of card read --json")->required();
+  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or of card read --json")
+      ->required();
   command
       ->add_option("--solver", card.solver, "lsdyna, abaqus, calculix, openradioss, febio, ansys, or csv for a table")
       ->required()

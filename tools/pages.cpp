@@ -1,5 +1,7 @@
 #include "pages.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "colour.hpp"
@@ -54,7 +56,8 @@ page::Page page_of_result(const Json& result, const std::string& file) {
       if (page.title.empty()) page.title = std::string("Result of percal ") + one.command;
       return page;
     } catch (const page::MissingKey& missing) {
-      throw BadInput({file, 0, missing.key}, "nothing", "a value, as every result of percal " + commands.back() + " has it");
+      throw BadInput({file, 0, missing.key}, "nothing",
+                     "a value, as every result of percal " + commands.back() + " has it");
     }
   }
   throw BadInput({file, 0, "command"}, shown(command), "a result of " + listed(commands));
@@ -70,6 +73,19 @@ page::ReadResult read_result(const std::string& file) {
   }
   result.page = page_of_result(result.json, file);
   return result;
+}
+
+void deliver(const Json& result, const std::string& folder, const Common& common) {
+  const std::string json = page::written(result);
+  const std::string file = folder + "/result.json";
+  if (!folder.empty()) write_file(file, json);
+  if (common.json) fmt::print("{}", json);
+  if (!common.talks()) return;
+  const auto style = terminal_style(common.details ? page::Detail::more : page::Detail::answer);
+  fmt::print("{}", page::as_text(page_of_result(result, "this result"), style));
+  if (!folder.empty())
+    fmt::print("{}{}\n", file,
+               common.details ? "" : " has all of it; --details prints it, percal report shows it as a page");
 }
 
 std::string aligned(const std::vector<std::vector<std::string>>& rows) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "commands.hpp"
 #include "percal/page/comparison.hpp"
 #include "percal/page/text.hpp"
 
@@ -13,6 +14,10 @@ page::Page page_of_result(const page::Json& result, const std::string& file);
 
 // Reads the file. Throws BadInput as above.
 page::ReadResult read_result(const std::string& file);
+
+// What every command ends with: result.json in the folder (nowhere where that is empty), then on standard output the result as JSON
+// (--json), or its page as text, the answer alone or all of it (--details), or nothing (--quiet). Throws IoFailure.
+void deliver(const page::Json& result, const std::string& folder, const Common& common);
 
 // A table on standard output.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);

@@ -14,14 +14,17 @@
 #include "options.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
+#include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
 
-std::string out_folder(const std::string& job, const Common& common) {
-  if (!common.out.empty()) return common.out;
-  std::filesystem::path path(job);
-  return path.replace_extension(".out").string();
+std::string out_folder(const std::string& first_input, const Common& common) {
+  if (common.out == "none") return "";
+  const std::string folder =
+      common.out.empty() ? std::filesystem::path(first_input).stem().string() + ".out" : common.out;
+  ensure_writable_folder(folder);
+  return folder;
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
 #include "percal/impact/kernel.hpp"
@@ -18,7 +19,6 @@
 #include "percal/text/file.hpp"
 #include "percal/units/quantity.hpp"
 #include "studies.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/study/extremes_json.hpp"
 #include "percal/text/file.hpp"
 #include "studies.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/impact/kernel.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -12,7 +13,6 @@
 #include "percal/text/file.hpp"
 #include "percal/units/quantity.hpp"
 #include "studies.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {

@@ -142,20 +142,20 @@ depth = "55 mm"
 # estimated = true
 # fixed = "3 %" #> instead of estimated
 
-# [[readings]]
+# [[hypotheses]]
 # name = "as given"
 # convention = "true"
 # measure = "engineering"
 # contact_stiffness = 0.6
 
-# [readings.hold]
+# [hypotheses.hold]
 # erosion_strain = 1.1
 
 # [[cross_validation]]
 # name = "slow -> fast"
 # fit = ["ball=steel"]
 # predict = ["ball=tungsten carbide"]
-# readings = ["as given"]
+# hypotheses = ["as given"]
 # goal = "10 %"
 
 # [[ridge_points]]
@@ -180,7 +180,8 @@ depth = "55 mm"
 # seed = 20090401
 
 # [solver]
-)" + solver_keys + R"(# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
+)" + solver_keys +
+               R"(# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
 )"},
           {"STEM_shots.csv", shots_csv},
           {"STEM_curve.csv", curve_csv},

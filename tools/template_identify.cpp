@@ -92,7 +92,8 @@ speed = "83 m/s"
 # [solver]
 # nu = 0.49
 # bulk_to_shear = 50 #> instead of nu
-)" + solver_keys + R"(# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
+)" + solver_keys +
+           R"(# end_time = "20 ms" #> only in a scene: in a job runs end when the sphere stops
 
 [alpha]
 value = 9

@@ -71,7 +71,8 @@ width = "8 mm"
 # whole = false
 
 # [solver]
-)" + solver_keys + R"(# end_time = "20 ms"
+)" + solver_keys +
+               R"(# end_time = "20 ms"
 
 # [output]
 # history = false

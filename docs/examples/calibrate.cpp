@@ -16,16 +16,16 @@ int main(int argc, char** argv) try {
       percal::calibrate(job, store, campaign, percal::CalibrationLimits{.budget_seconds = 300}, say);
 
   // One result for each way to read the data that the job names.
-  for (const percal::ReadingResult& reading : result.readings) {
-    const percal::Minimum& best = reading.minima.front();
-    for (std::size_t k = 0; k < reading.parameters.size(); ++k) {
-      const percal::FreeParameter& parameter = job.parameters[reading.parameters[k]].free;
-      const percal::ProfileInterval& sure = reading.intervals[k];
+  for (const percal::HypothesisResult& hypothesis : result.hypotheses) {
+    const percal::Minimum& best = hypothesis.minima.front();
+    for (std::size_t k = 0; k < hypothesis.parameters.size(); ++k) {
+      const percal::FreeParameter& parameter = job.parameters[hypothesis.parameters[k]].free;
+      const percal::ProfileInterval& sure = hypothesis.intervals[k];
       std::printf("%s = %.4g %s, %.4g to %.4g%s\n", parameter.name.c_str(), parameter.natural(best.searched[k]),
                   parameter.unit.c_str(), sure.interval.low, sure.interval.high,
                   sure.identifiable ? "" : ": these data cannot tell");
     }
-    for (const std::string& finding : reading.findings) std::printf("note: %s\n", finding.c_str());
+    for (const std::string& finding : hypothesis.findings) std::printf("note: %s\n", finding.c_str());
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -61,10 +61,10 @@ print(steel, "- in radii", steel.depth / 1.59e-3, "and", shot.depth / 1e-6)
 with tempfile.TemporaryDirectory() as folder:
     store = Path(folder) / "percal.store"
     found = percal.calibrate(data / "synthetic" / "joint_small.toml", store=store, announce=print)
-reading = found.readings[0]
-print(reading)
-print(reading.ridges[0])
-for finding in reading.findings:
+hypothesis = found.hypotheses[0]
+print(hypothesis)
+print(hypothesis.ridges[0])
+for finding in hypothesis.findings:
     print("note:", finding)
 
 # %% [markdown]
@@ -75,10 +75,10 @@ for finding in reading.findings:
 gel = percal.CardMaterial(
     name="gel",
     density=1010,
-    mu=reading.parameters["mu"],
-    alpha=reading.parameters["alpha"],
-    bulk_modulus=100 * reading.parameters["mu"],
-    erosion_strain=reading.parameters["erosion_strain"],
+    mu=hypothesis.parameters["mu"],
+    alpha=hypothesis.parameters["alpha"],
+    bulk_modulus=100 * hypothesis.parameters["mu"],
+    erosion_strain=hypothesis.parameters["erosion_strain"],
     comments=["from the tutorial, on meshes too coarse for a result"],
 )
 print(gel)

@@ -1,6 +1,6 @@
 // calibrate: curves and depths together.
 //
-// Moduli, exponents and erosion strains, free, held or shared between materials, in every reading of the data that the
+// Moduli, exponents and erosion strains, free, held or shared between materials, in every hypothesis of the data that the
 // job names; checked by fresh runs.
 //
 //     const percal::CalibrationJob job = percal::read_calibration_job("joint.toml");

@@ -40,7 +40,7 @@ TEST_P(ReadBadCalibration, IsRefusedWithPlaceFindingAndRemedy) {
 }
 
 const std::string first_point = "diameter = \"2 mm\"";
-const std::string second_reading = "contact_stiffness = 0.156";
+const std::string second_hypothesis = "contact_stiffness = 0.156";
 const std::string hard_strain = "erosion_strain = 0.8";
 
 const std::vector<BadCalibration> bad_jobs{
@@ -304,36 +304,40 @@ const std::vector<BadCalibration> bad_jobs{
      "scatter.few.fixed",
      "beside estimated = false",
      "fixed = SHARE"},
-    // Readings
+    // Hypotheses
     {"HeldParameterThatIsNone",
      {{"hold = { mu =", "hold = { nu ="}},
-     "readings.2..hold.nu",
+     "hypotheses.2..hold.nu",
      "does not have",
      "mu, mu_hard, alpha, strain"},
     {"HeldOutsideItsBounds",
      {{"hold = { mu = \"90 kPa\"", "hold = { mu = \"9 MPa\""}},
-     "readings.2..hold.mu",
+     "hypotheses.2..hold.mu",
      "9 MPa",
      "10000 to 1e"},
     {"EverythingHeld",
      {{"alpha = 5 }", "alpha = 5, mu_hard = \"1 MPa\", strain = 1 }"}},
-     "readings.2..hold",
+     "hypotheses.2..hold",
      "every parameter held",
      "one or more left"},
-    {"ReadingNameAgain", {{"name = \"held\"", "name = \"free\""}}, "readings.2..name", "\"free\" again", "of its own"},
+    {"HypothesisNameAgain",
+     {{"name = \"held\"", "name = \"free\""}},
+     "hypotheses.2..name",
+     "\"free\" again",
+     "of its own"},
     {"UnknownMeasure",
      {{"measure = \"true\"", "measure = \"log\""}},
-     "readings.2..measure",
+     "hypotheses.2..measure",
      "\"log\"",
      "\"green-lagrange\""},
     {"NegativeExponentsAsMu1",
      {{"low = 2\nhigh = 12", "low = -12\nhigh = -2"}, {"alpha = 5 }", "alpha = -5 }"}},
-     "readings.2..convention",
+     "hypotheses.2..convention",
      "negative exponents of soft",
      "\"true\""},
     {"ContactStiffnessOfZero",
-     {{second_reading, "contact_stiffness = 0"}},
-     "readings.2..contact_stiffness",
+     {{second_hypothesis, "contact_stiffness = 0"}},
+     "hypotheses.2..contact_stiffness",
      "0",
      "positive"},
     // Cross-validations
@@ -363,8 +367,8 @@ const std::vector<BadCalibration> bad_jobs{
      "which is fitted too",
      "not among the fitted"},
     {"UnknownReading",
-     {{"readings = [\"free\"]", "readings = [\"fere\"]"}},
-     "cross_validation.1..readings",
+     {{"hypotheses = [\"free\"]", "hypotheses = [\"fere\"]"}},
+     "cross_validation.1..hypotheses",
      "\"fere\"",
      "free, held"},
     {"NegativeGoal", {{"goal = \"7 %\"", "goal = \"-7 %\""}}, "cross_validation.1..goal", "-7 %", "positive share"},

@@ -18,7 +18,7 @@ TEST_F(CalibrateCommand, CheckReadsTheJobAndRunsNothing) {
   const auto ended = run({"calibrate", "job.toml", "--check"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out,
-              HasSubstr("job.toml: a job that can be run: 4 parameters, 6 shots (4 fitted), 1 curves, 2 readings"));
+              HasSubstr("job.toml: a job that can be run: 4 parameters, 6 shots (4 fitted), 1 curves, 2 hypotheses"));
   EXPECT_EQ(files(), before);
   const auto as_json = run({"calibrate", "job.toml", "--check", "--json"});
   EXPECT_EQ(json::parse(as_json.out), json({{"command", "calibrate"}, {"job", "job.toml"}, {"valid", true}}));

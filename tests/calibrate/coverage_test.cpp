@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "calibrate/gel_job.hpp"
+#include "percal/calibrate/hypothesis.hpp"
 #include "percal/calibrate/job_fit.hpp"
-#include "percal/calibrate/reading.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
 #include "percal/estimate/intervals.hpp"
@@ -60,7 +60,7 @@ std::vector<std::vector<double>> true_points(const CalibrationJob& job, const Em
     }
     bool inside = true;
     for (const auto& shot : job.shots) {
-      const auto at = shot_inputs(shot, material_at(job, job.readings[0], 0, natural)).at;
+      const auto at = shot_inputs(shot, material_at(job, job.hypotheses[0], 0, natural)).at;
       const double depth = std::exp(emulator.depth({at}, 1.0 / mesh, false).log_depth[0]);
       inside = inside && depth > 8 && depth < 60;
     }
@@ -73,7 +73,8 @@ std::vector<std::vector<double>> true_points(const CalibrationJob& job, const Em
 std::vector<double> solved(const CalibrationJob& job, Campaign& campaign, const std::vector<double>& natural) {
   std::vector<Problem> problems;
   for (const auto& shot : job.shots)
-    problems.push_back(shot_problem(job, job.readings[0], shot, material_at(job, job.readings[0], 0, natural), mesh));
+    problems.push_back(
+        shot_problem(job, job.hypotheses[0], shot, material_at(job, job.hypotheses[0], 0, natural), mesh));
   std::vector<double> log_depths;
   const auto runs = campaign.evaluate(problems, nullptr);
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -122,8 +123,8 @@ class SlowCoverage : public testing::Test {
         CalibrationJob job = *job_;
         for (std::size_t i = 0; i < job.shots.size(); ++i)
           job.shots[i].depth = std::exp(truths_[t].log_depths[i] + scatter * draws.normal());
-        for (int p : held) job.readings[0].held[p] = truths_[t].natural[static_cast<std::size_t>(p)];
-        const JobModel model = finite_element_model(job, job.readings[0], *emulator_, 1.0 / mesh);
+        for (int p : held) job.hypotheses[0].held[p] = truths_[t].natural[static_cast<std::size_t>(p)];
+        const JobModel model = finite_element_model(job, job.hypotheses[0], *emulator_, 1.0 / mesh);
         const JobFit fit = fit_job(job, model, used_shots(job), quick_search());
         Eigen::VectorXd truth(static_cast<Eigen::Index>(fit.of_model.size()));
         for (std::size_t k = 0; k < fit.of_model.size(); ++k) {

@@ -58,7 +58,7 @@ inline CalibrationJob gel_job(int speeds = 8) {
     shot.row = {{"material", k % 2 == 0 ? "steel" : "titanium"}};
     job.shots.push_back(shot);
   }
-  job.readings = {{.name = "free", .held = {}}};
+  job.hypotheses = {{.name = "free", .held = {}}};
   return job;
 }
 
@@ -66,7 +66,7 @@ inline CalibrationJob gel_job(int speeds = 8) {
 inline void measure(CalibrationJob& job, const std::vector<double>& natural, double scatter, unsigned seed) {
   Draws draws(seed);
   for (auto& shot : job.shots) {
-    const auto at = shot_inputs(shot, material_at(job, job.readings[0], shot.material, natural)).at;
+    const auto at = shot_inputs(shot, material_at(job, job.hypotheses[0], shot.material, natural)).at;
     shot.depth = shot.radius * std::exp(smooth_law(at) + scatter * draws.normal());
   }
 }

@@ -4,8 +4,8 @@
 
 #include "calibrate/gel_job.hpp"
 #include "percal/calibrate/error_budget.hpp"
+#include "percal/calibrate/hypothesis.hpp"
 #include "percal/calibrate/plausible.hpp"
-#include "percal/calibrate/reading.hpp"
 
 namespace percal {
 namespace {
@@ -19,11 +19,11 @@ class JobFits : public testing::Test {
 
   // alpha is held: depths alone do not know it.
   JobFits() {
-    job_.readings[0].held[1] = truth_[1];
-    job_.readings[0].held[2] = truth_[2];
+    job_.hypotheses[0].held[1] = truth_[1];
+    job_.hypotheses[0].held[2] = truth_[2];
     test::measure(job_, truth_, 0.05, 3);
   }
-  JobModel model() const { return finite_element_model(job_, job_.readings[0], *emulator_, 0.1); }
+  JobModel model() const { return finite_element_model(job_, job_.hypotheses[0], *emulator_, 0.1); }
   JobFit fit() const { return fit_job(job_, model(), used_shots(job_), quick_search()); }
 
   static inline const Emulator* emulator_;
@@ -71,7 +71,7 @@ TEST_F(JobFits, AParameterThatNoDatumDependsOnIsLeftOut) {
   more.parameters.push_back(more.parameters[0]);
   more.materials.push_back(more.materials[0]);
   more.materials.back().mu = SharedParameter{3};
-  const auto model = finite_element_model(more, more.readings[0], *emulator_, 0.1);
+  const auto model = finite_element_model(more, more.hypotheses[0], *emulator_, 0.1);
   const JobFit found = fit_job(more, model, used_shots(more), quick_search());
   EXPECT_EQ(found.of_model, std::vector<int>{0});
   EXPECT_EQ(found.at.size(), 2);
@@ -81,7 +81,7 @@ TEST_F(JobFits, CrossValidationFitsOneKindAndPredictsTheOther) {
   const CrossValidation wanted{.name = "steel -> titanium",
                                .fit = {"material=steel"},
                                .predict = {"material=titanium"},
-                               .readings = {},
+                               .hypotheses = {},
                                .goal = {}};
   const auto result = cross_validate(job_, model(), wanted, quick_search());
   EXPECT_EQ(result.fitted, 8);
@@ -119,7 +119,7 @@ TEST_F(JobFits, TheSharesOfAnErrorBudgetMakeItsWhole) {
   job_.materials[0].rate_factor = 10;
   job_.materials[0].rate_factor_error = 0.1;
   const JobFit found = fit();
-  const auto quantity = stiffness_quantity(job_, job_.readings[0], model(), found, 0);
+  const auto quantity = stiffness_quantity(job_, job_.hypotheses[0], model(), found, 0);
   EXPECT_NEAR(quantity.value, 3 * std::exp(found.best().searched[0]) / 10, 1e-6 * quantity.value);
   const VectorXd mesh = VectorXd::Constant(16, 0.02);
   const ErrorBudget budget = error_budget(job_, model(), found, quantity, mesh);
@@ -145,7 +145,7 @@ TEST_F(JobFits, TheSharesOfAnErrorBudgetMakeItsWhole) {
 
 TEST_F(JobFits, ABiasOfAllDepthsMovesTheModulusByItsSensitivity) {
   const JobFit found = fit();
-  const auto quantity = stiffness_quantity(job_, job_.readings[0], model(), found, 0);
+  const auto quantity = stiffness_quantity(job_, job_.hypotheses[0], model(), found, 0);
   const ErrorBudget budget = error_budget(job_, model(), found, quantity, VectorXd::Constant(16, 0.01));
   double said = 0;
   for (const auto& source : budget.sources)

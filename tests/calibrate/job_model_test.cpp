@@ -35,8 +35,8 @@ VectorXd somewhere(const JobModel& model) {
 TEST(FiniteElementModel, ItsJacobianIsThatOfItsDepths) {
   for (const auto convention : {ModulusConvention::true_shear, ModulusConvention::mu_over_alpha}) {
     CalibrationJob job = test::gel_job();
-    job.readings[0].convention = convention;
-    const auto model = finite_element_model(job, job.readings[0], test::emulator_of_the_smooth_law(), 0.1);
+    job.hypotheses[0].convention = convention;
+    const auto model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), 0.1);
     expect_jacobian_by_differences(model, somewhere(model), all(job));
   }
 }
@@ -44,11 +44,11 @@ TEST(FiniteElementModel, ItsJacobianIsThatOfItsDepths) {
 TEST(FiniteElementModel, ItsSpeedExponentIsThatOfItsDepths) {
   CalibrationJob job = test::gel_job();
   const auto emulator = test::emulator_of_the_smooth_law();
-  const auto model = finite_element_model(job, job.readings[0], emulator, 0.1);
+  const auto model = finite_element_model(job, job.hypotheses[0], emulator, 0.1);
   const VectorXd at = somewhere(model), exponents = model.speed_exponents(at, all(job));
   CalibrationJob faster = job;
   for (auto& shot : faster.shots) shot.speed *= 1.0001;
-  const auto other = finite_element_model(faster, faster.readings[0], emulator, 0.1);
+  const auto other = finite_element_model(faster, faster.hypotheses[0], emulator, 0.1);
   const VectorXd slope =
       (other.log_depths(at, all(job), Want::values).value - model.log_depths(at, all(job), Want::values).value) /
       std::log(1.0001);
@@ -57,17 +57,17 @@ TEST(FiniteElementModel, ItsSpeedExponentIsThatOfItsDepths) {
 
 TEST(FiniteElementModel, AHeldParameterIsNotSearched) {
   CalibrationJob job = test::gel_job();
-  job.readings[0].held[1] = 7;
-  const auto model = finite_element_model(job, job.readings[0], test::emulator_of_the_smooth_law(), 0.1);
+  job.hypotheses[0].held[1] = 7;
+  const auto model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), 0.1);
   EXPECT_EQ(model.of_job, (std::vector<int>{0, 2}));
-  EXPECT_EQ(natural_values(job, job.readings[0], model, somewhere(model))[1], 7);
+  EXPECT_EQ(natural_values(job, job.hypotheses[0], model, somewhere(model))[1], 7);
 }
 
 TEST(FiniteElementModel, HeldAsMu1AModulusIsAlphaHalvesAsStiff) {
   CalibrationJob job = test::gel_job();
-  job.readings[0].convention = ModulusConvention::mu_over_alpha;
+  job.hypotheses[0].convention = ModulusConvention::mu_over_alpha;
   const std::vector<double> natural{100e3, 9, 0.7};
-  EXPECT_DOUBLE_EQ(material_at(job, job.readings[0], 0, natural).mu_true, 450e3);
+  EXPECT_DOUBLE_EQ(material_at(job, job.hypotheses[0], 0, natural).mu_true, 450e3);
 }
 
 TEST(FiniteElementModel, StressesOfACurveAreThoseOfTheOgdenSolid) {
@@ -77,9 +77,9 @@ TEST(FiniteElementModel, StressesOfACurveAreThoseOfTheOgdenSolid) {
   for (const double stretch : {0.7, 0.95, 1.02, 1.4})
     curve.data.points.push_back({{Deformation::uniaxial, stretch}, 1000.0});
   job.curves = {curve};
-  const auto model = finite_element_model(job, job.readings[0], test::emulator_of_the_smooth_law(), 0.1);
+  const auto model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), 0.1);
   const VectorXd at = somewhere(model);
-  const auto natural = natural_values(job, job.readings[0], model, at);
+  const auto natural = natural_values(job, job.hypotheses[0], model, at);
   const auto answer = model.stresses(at, Want::values);
   for (std::size_t i = 0; i < curve.data.points.size(); ++i)
     EXPECT_NEAR(answer.value[static_cast<Eigen::Index>(i)] * 1000,
@@ -110,9 +110,9 @@ TEST(DehnModel, MaterialsWithOneModulusShareTheirStrength) {
 
 TEST(ShotProblem, TheEmulatorsInputsAreThoseOfTheProblemThatIsRun) {
   const CalibrationJob job = test::gel_job();
-  const MaterialAt material = material_at(job, job.readings[0], 0, {150e3, 8, 0.9});
+  const MaterialAt material = material_at(job, job.hypotheses[0], 0, {150e3, 8, 0.9});
   for (const auto& shot : job.shots) {
-    const Problem problem = shot_problem(job, job.readings[0], shot, material, 8);
+    const Problem problem = shot_problem(job, job.hypotheses[0], shot, material, 8);
     const auto inputs = shot_inputs(shot, material).at;
     EXPECT_NEAR(inputs[0], std::log(problem.pi4), 1e-9);
     EXPECT_NEAR(inputs[1], -std::log(problem.density_ratio), 1e-9);

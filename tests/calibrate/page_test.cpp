@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "calibrate/small_job.hpp"
-#include "percal/calibrate/result_json.hpp"
 #include "page/page_words.hpp"
+#include "percal/calibrate/result_json.hpp"
 
 namespace percal {
 namespace {
@@ -84,7 +84,7 @@ TEST_F(CalibratePageOfResult, DepthsStandAgainstMeasuredOnesAndTheImpactParamete
 
 TEST_F(CalibratePageOfResult, ProfilesFreshRunsAndRoundsHaveFigures) {
   const Figure *profiles = figure_of(page, "profiles_1"), *fresh = figure_of(page, "fresh_1"),
-                   *rounds = figure_of(page, "error_vs_time");
+               *rounds = figure_of(page, "error_vs_time");
   ASSERT_TRUE(profiles && fresh && rounds);
   EXPECT_THAT(series_of(*profiles, "mu")->x, ElementsAre(near(0.8), near(1)));
   EXPECT_THAT(profiles->caption, HasSubstr("Too flat to be known: mu_hard"));
@@ -93,7 +93,7 @@ TEST_F(CalibratePageOfResult, ProfilesFreshRunsAndRoundsHaveFigures) {
 }
 
 TEST_F(CalibratePageOfResult, EveryReadingHasASectionAndEveryFigureItsWords) {
-  EXPECT_TRUE(section_of(page, "reading-1") && section_of(page, "reading-2"));
+  EXPECT_TRUE(section_of(page, "hypothesis-1") && section_of(page, "hypothesis-2"));
   for (const Section& section : page.sections)
     for (const Block& block : section.blocks)
       if (const auto* figure = std::get_if<Figure>(&block)) {
@@ -104,8 +104,8 @@ TEST_F(CalibratePageOfResult, EveryReadingHasASectionAndEveryFigureItsWords) {
 }
 
 TEST_F(CalibratePageOfResult, WithoutAReadingItSaysSo) {
-  result["readings"] = json::array();
-  EXPECT_THAT(calibrate_page(result).summary, HasSubstr("No reading could be fitted"));
+  result["hypotheses"] = json::array();
+  EXPECT_THAT(calibrate_page(result).summary, HasSubstr("No hypothesis could be fitted"));
 }
 
 }  // namespace

@@ -126,34 +126,34 @@ TEST_F(ReadCalibrationJob, CurvesHaveTheirFactorAndError) {
   EXPECT_TRUE(curve.synthetic);
 }
 
-TEST_F(ReadCalibrationJob, ReadingsHoldNumbersAndMakeChoices) {
+TEST_F(ReadCalibrationJob, HypothesesHoldNumbersAndMakeChoices) {
   const auto job = read_job();
-  ASSERT_EQ(job.readings.size(), 2u);
-  EXPECT_TRUE(job.readings[0].held.empty());
-  EXPECT_EQ(job.readings[0].convention, ModulusConvention::true_shear);
-  EXPECT_DOUBLE_EQ(job.readings[0].contact_stiffness, 0.5);  // the solver's
-  EXPECT_THAT(job.readings[1].held, ElementsAre(testing::Pair(0, DoubleEq(9e4)), testing::Pair(2, DoubleEq(5))));
-  EXPECT_EQ(job.readings[1].convention, ModulusConvention::mu_over_alpha);
-  EXPECT_EQ(job.readings[1].measure, StrainMeasure::true_strain);
-  EXPECT_DOUBLE_EQ(job.readings[1].contact_stiffness, 0.156);
+  ASSERT_EQ(job.hypotheses.size(), 2u);
+  EXPECT_TRUE(job.hypotheses[0].held.empty());
+  EXPECT_EQ(job.hypotheses[0].convention, ModulusConvention::true_shear);
+  EXPECT_DOUBLE_EQ(job.hypotheses[0].contact_stiffness, 0.5);  // the solver's
+  EXPECT_THAT(job.hypotheses[1].held, ElementsAre(testing::Pair(0, DoubleEq(9e4)), testing::Pair(2, DoubleEq(5))));
+  EXPECT_EQ(job.hypotheses[1].convention, ModulusConvention::mu_over_alpha);
+  EXPECT_EQ(job.hypotheses[1].measure, StrainMeasure::true_strain);
+  EXPECT_DOUBLE_EQ(job.hypotheses[1].contact_stiffness, 0.156);
 }
 
 TEST_F(ReadCalibrationJob, WithoutReadingsTheDataAreReadAsGiven) {
   std::string text = calibrate_test::small_job;
-  const auto from = text.find("[[readings]]"), to = text.find("[[cross_validation]]");
+  const auto from = text.find("[[hypotheses]]"), to = text.find("[[cross_validation]]");
   text.erase(from, to - from);
-  text.erase(text.find("readings = [\"free\"]\n"), std::string("readings = [\"free\"]\n").size());
+  text.erase(text.find("hypotheses = [\"free\"]\n"), std::string("hypotheses = [\"free\"]\n").size());
   const auto job = read_calibration_job(write("job.toml", text));
-  ASSERT_EQ(job.readings.size(), 1u);
-  EXPECT_EQ(job.readings[0].name, "as given");
-  EXPECT_DOUBLE_EQ(job.readings[0].contact_stiffness, 0.5);
+  ASSERT_EQ(job.hypotheses.size(), 1u);
+  EXPECT_EQ(job.hypotheses[0].name, "as given");
+  EXPECT_DOUBLE_EQ(job.hypotheses[0].contact_stiffness, 0.5);
 }
 
 TEST_F(ReadCalibrationJob, CrossValidationsPairsTrainingAndSolverAreRead) {
   const auto job = read_job();
   ASSERT_EQ(job.cross_validations.size(), 1u);
   EXPECT_THAT(job.cross_validations[0].fit, ElementsAre("set=balls", "ball=steel"));
-  EXPECT_THAT(job.cross_validations[0].readings, ElementsAre(0));
+  EXPECT_THAT(job.cross_validations[0].hypotheses, ElementsAre(0));
   EXPECT_DOUBLE_EQ(job.cross_validations[0].goal.value(), 0.07);
   ASSERT_EQ(job.published.size(), 1u);
   EXPECT_EQ(job.published[0].modulus, 0);
@@ -190,8 +190,8 @@ TEST(CalibrationExamples, SkinConsistentHasTheShotsOfThreeTables) {
   EXPECT_DOUBLE_EQ(job.shots[0].radius, 1.59e-3);  // the corrected diameter of the first rows
   EXPECT_DOUBLE_EQ(job.shots[32].depth_error, 0.90e-6);
   EXPECT_DOUBLE_EQ(job.shots[32].speed, 651);
-  EXPECT_EQ(job.readings.front().name, "mu free");
-  EXPECT_DOUBLE_EQ(job.readings.at(1).held.at(0), 113e3);
+  EXPECT_EQ(job.hypotheses.front().name, "mu free");
+  EXPECT_DOUBLE_EQ(job.hypotheses.at(1).held.at(0), 113e3);
   EXPECT_EQ(job.published.at(0).pairs.size(), 6u);
 }
 

@@ -31,7 +31,7 @@ TEST_F(CalibrationJson, HasTheInputTheVersionAndTheCost) {
 }
 
 TEST_F(CalibrationJson, PutsUnitsIntoTheNamesOfKeys) {
-  const json parameters = made()["readings"][0]["parameters"];
+  const json parameters = made()["hypotheses"][0]["parameters"];
   EXPECT_NEAR(parameters[0]["value_Pa"], 1e5, 1e-6);
   EXPECT_FALSE(parameters[0].contains("value"));
   EXPECT_NEAR(parameters[2]["value"], 6, 1e-12);
@@ -41,7 +41,7 @@ TEST_F(CalibrationJson, PutsUnitsIntoTheNamesOfKeys) {
 }
 
 TEST_F(CalibrationJson, IntervalsSayWhichEndIsOpen) {
-  const json parameters = made()["readings"][0]["parameters"];
+  const json parameters = made()["hypotheses"][0]["parameters"];
   EXPECT_EQ(parameters[1]["interval_Pa"], json({{"low", 2e4}, {"high", 2e6}, {"low_open", true}, {"high_open", true}}));
   EXPECT_FALSE(parameters[1]["identifiable"]);
   EXPECT_EQ(parameters[2]["interval"]["high_open"], true);
@@ -52,7 +52,7 @@ TEST_F(CalibrationJson, IntervalsSayWhichEndIsOpen) {
 
 TEST_F(CalibrationJson, WritesNullForWhatIsNotThere) {
   const json result = made();
-  const json& free = result["readings"][0];
+  const json& free = result["hypotheses"][0];
   EXPECT_TRUE(free["shots"][2]["deviation"].is_null());  // a least depth
   EXPECT_TRUE(free["shots"][2]["measured_m"].is_null());
   EXPECT_EQ(free["shots"][2]["measured_at_least_m"], 0.06);
@@ -63,7 +63,7 @@ TEST_F(CalibrationJson, WritesNullForWhatIsNotThere) {
   EXPECT_TRUE(free["fresh_runs"][1]["depth_m"].is_null());
   EXPECT_TRUE(free["sets"][1]["mean_deviation"].is_null());  // no shots
   EXPECT_TRUE(free["leave_one_out"][0]["goal"].is_null());
-  const json& held = result["readings"][1];
+  const json& held = result["hypotheses"][1];
   EXPECT_TRUE(held["parameters"].is_null());
   EXPECT_TRUE(held["bootstrap"].is_null());
   EXPECT_TRUE(held["fresh_mean_deviation"].is_null());
@@ -76,7 +76,7 @@ TEST_F(CalibrationJson, ReadsBackAsItWasWritten) {
 }
 
 TEST_F(CalibrationJson, NamesTheAxesAndThePointsOfARidge) {
-  const json ridge = made()["readings"][0]["ridges"][0];
+  const json ridge = made()["hypotheses"][0]["ridges"][0];
   EXPECT_EQ(ridge["x_parameter"], "strain");
   EXPECT_EQ(ridge["y_parameter"], "mu");
   EXPECT_EQ(ridge["x"], json({0.5, 1}));
@@ -106,7 +106,7 @@ TEST_F(CalibrationJson, OfAFailedCalibrationHasTheReason) {
   CalibrationResult result;
   result.findings = {"Too many runs failed."};
   const json written = calibration_to_json(job, result);
-  EXPECT_TRUE(written["readings"].empty());
+  EXPECT_TRUE(written["hypotheses"].empty());
   EXPECT_EQ(written["findings"][0], "Too many runs failed.");
 }
 

@@ -21,7 +21,7 @@ class CalibrationText : public calibrate_test::SmallJob {
   CalibrationResult result = calibrate_test::made_up_result(job);
 
   std::vector<TextTable> tables(ShotTables shots = ShotTables::where_few) const {
-    return reading_tables(job, result, result.readings[0], shots);
+    return hypothesis_tables(job, result, result.hypotheses[0], shots);
   }
   // The row that begins so, of the table that is called so.
   Row row(const std::vector<TextTable>& all, const std::string& title, const std::string& first) const {
@@ -56,7 +56,7 @@ TEST_F(CalibrationText, PredictionsStandBesideTheirGoalAndTheClosedForm) {
 }
 
 TEST_F(CalibrationText, AMissedGoalIsSaid) {
-  result.readings[0].cross_validations[0].prediction.mean_absolute = 0.0701;
+  result.hypotheses[0].cross_validations[0].prediction.mean_absolute = 0.0701;
   EXPECT_EQ(row(tables(), "predicted", "steel -> lead").at(6), "7.00 %, missed");
 }
 
@@ -79,8 +79,8 @@ TEST_F(CalibrationText, SaysWhereTheErrorComesFrom) {
 }
 
 TEST_F(CalibrationText, SourcesThatAreNextToNothingAreOneRow) {
-  result.readings[0].budgets[0].sources.push_back({"speed", 0.003, 0.0009});
-  result.readings[0].budgets[0].sources.push_back({"depth", 0.004, 0.0016});
+  result.hypotheses[0].budgets[0].sources.push_back({"speed", 0.003, 0.0009});
+  result.hypotheses[0].budgets[0].sources.push_back({"depth", 0.004, 0.0016});
   EXPECT_TRUE(row(tables(), "where the error of E of soft", "speed").empty());
   EXPECT_THAT(row(tables(), "where the error of E of soft", "everything else"),
               ElementsAre("everything else", "0.5 %", "0.25 %"));
@@ -90,16 +90,16 @@ TEST_F(CalibrationText, FindingsAreNotes) {
   EXPECT_THAT(tables().back().notes, Contains("note: The strain and the modulus go together."));
 }
 
-TEST_F(CalibrationText, ReadingsStandSideBySide) {
-  const std::vector<TextTable> all{readings_side_by_side(job, result)};
-  EXPECT_THAT(all[0].rows.at(0), ElementsAre("reading", "1", "2"));
+TEST_F(CalibrationText, HypothesesStandSideBySide) {
+  const std::vector<TextTable> all{hypotheses_side_by_side(job, result)};
+  EXPECT_THAT(all[0].rows.at(0), ElementsAre("hypothesis", "1", "2"));
   EXPECT_THAT(all[0].notes, Contains("2: held"));
-  EXPECT_THAT(row(all, "readings", "mu means"), ElementsAre("mu means", "true", "mu/alpha"));
-  EXPECT_THAT(row(all, "readings", "contact stiffness"), ElementsAre("contact stiffness", "0.5", "0.156"));
-  EXPECT_THAT(row(all, "readings", "mu"), ElementsAre("mu", "100 kPa", "90 kPa held"));
-  EXPECT_THAT(row(all, "readings", "E of soft"), ElementsAre("E of soft", "30 kPa", "30 kPa"));
-  EXPECT_THAT(row(all, "readings", "balls, fitted"), ElementsAre("balls, fitted", "8.00 %", "8.00 %"));
-  EXPECT_THAT(row(all, "readings", "by hand, predicted"), ElementsAre("by hand, predicted", "-", "-"));
+  EXPECT_THAT(row(all, "hypotheses", "mu means"), ElementsAre("mu means", "true", "mu/alpha"));
+  EXPECT_THAT(row(all, "hypotheses", "contact stiffness"), ElementsAre("contact stiffness", "0.5", "0.156"));
+  EXPECT_THAT(row(all, "hypotheses", "mu"), ElementsAre("mu", "100 kPa", "90 kPa held"));
+  EXPECT_THAT(row(all, "hypotheses", "E of soft"), ElementsAre("E of soft", "30 kPa", "30 kPa"));
+  EXPECT_THAT(row(all, "hypotheses", "balls, fitted"), ElementsAre("balls, fitted", "8.00 %", "8.00 %"));
+  EXPECT_THAT(row(all, "hypotheses", "by hand, predicted"), ElementsAre("by hand, predicted", "-", "-"));
 }
 
 TEST_F(CalibrationText, EmulatorsSayWhyTheyStoppedAndHowTheirErrorFell) {

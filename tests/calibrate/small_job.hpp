@@ -109,10 +109,10 @@ synthetic = true
 [scatter.few]
 fixed = "3 %"
 
-[[readings]]
+[[hypotheses]]
 name = "free"
 
-[[readings]]
+[[hypotheses]]
 name = "held"
 hold = { mu = "90 kPa", alpha = 5 }
 convention = "mu/alpha"
@@ -124,7 +124,7 @@ name = "steel -> lead"
 fit = ["set=balls", "ball=steel"]
 predict = ["ball=lead"]
 goal = "7 %"
-readings = ["free"]
+hypotheses = ["free"]
 
 [[ridge_points]]
 name = "somebody's"
@@ -192,32 +192,32 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   Minimum second = minimum;
   second.deviance = 7.5;
 
-  ReadingResult reading;
-  reading.reading = 0;
-  reading.parameters = {0, 1, 2, 3};
-  reading.minima = {minimum, second};
-  reading.intervals = {{0, {8e4, 1.3e5, false, false}, {{std::log(8e4), 2.7, {}}, {std::log(1e5), 0, {}}}, true},
-                       {1, {2e4, 2e6, true, true}, {}, false},
-                       {2, {5, 12, false, true}, {}, true},
-                       {3, {0.7, 1.1, false, false}, {}, true}};
-  reading.bootstrap = Bootstrap{Eigen::MatrixXd::Zero(19, 4), {{8.1e4, 1.2e5}, {3e4, 1e6}, {5, 11}, {0.7, 1}}, 1};
-  reading.combinations = {{Eigen::Vector4d(1, 0, 0, 0), 0.1, true}};
+  HypothesisResult hypothesis;
+  hypothesis.index = 0;
+  hypothesis.parameters = {0, 1, 2, 3};
+  hypothesis.minima = {minimum, second};
+  hypothesis.intervals = {{0, {8e4, 1.3e5, false, false}, {{std::log(8e4), 2.7, {}}, {std::log(1e5), 0, {}}}, true},
+                          {1, {2e4, 2e6, true, true}, {}, false},
+                          {2, {5, 12, false, true}, {}, true},
+                          {3, {0.7, 1.1, false, false}, {}, true}};
+  hypothesis.bootstrap = Bootstrap{Eigen::MatrixXd::Zero(19, 4), {{8.1e4, 1.2e5}, {3e4, 1e6}, {5, 11}, {0.7, 1}}, 1};
+  hypothesis.combinations = {{Eigen::Vector4d(1, 0, 0, 0), 0.1, true}};
   RidgeMap ridge{3, 0, {0.5, 1}, {5e4, 2e5}, Eigen::MatrixXd::Zero(2, 2), 4.6, {{{0.6, 1.4e5}, {1.1, 7e4}}}};
   ridge.rise(0, 0) = infinity;
-  reading.ridges = {ridge};
+  hypothesis.ridges = {ridge};
   for (int i = 0; i < static_cast<int>(job.shots.size()); ++i) {
     const MeasuredShot& shot = job.shots[i];
     ShotDepth depth{i, 1.1 * shot.depth, 0.01, 0.9 * shot.depth, 1.3 * shot.depth, shot.used, {}};
     if (!shot.at_least) depth.deviation = 0.1;
-    reading.shots.push_back(depth);
+    hypothesis.shots.push_back(depth);
   }
-  reading.curves = {{0, {5.2e3, 1.05e4}, {4.8e3, 9.8e3}, {5.6e3, 1.12e4}}};
-  reading.sets = {{"balls, fitted", 2, 0.08, -0.02, 2}, {"by hand, predicted", 0, 0, 0, 0}};
-  reading.fresh = {{0, 7, 0.0157, "stopped", 0.0155, 0.8}, {1, 7, {}, "passed through", 0.024, 0}};
-  reading.fresh_deviation = 0.047;
-  reading.cross_validations = {
-      {"steel -> lead", 3, reading.shots, {"fitted", 3, 0.04, 0, 3}, {"predicted", 1, 0.06, 0.06, 1}, 0.07}};
-  reading.leave_one_out = {{"leave one out: balls", 0, reading.shots, {}, {"predicted", 4, 0.125, -0.01, 3}, {}}};
+  hypothesis.curves = {{0, {5.2e3, 1.05e4}, {4.8e3, 9.8e3}, {5.6e3, 1.12e4}}};
+  hypothesis.sets = {{"balls, fitted", 2, 0.08, -0.02, 2}, {"by hand, predicted", 0, 0, 0, 0}};
+  hypothesis.fresh = {{0, 7, 0.0157, "stopped", 0.0155, 0.8}, {1, 7, {}, "passed through", 0.024, 0}};
+  hypothesis.fresh_deviation = 0.047;
+  hypothesis.cross_validations = {
+      {"steel -> lead", 3, hypothesis.shots, {"fitted", 3, 0.04, 0, 3}, {"predicted", 1, 0.06, 0.06, 1}, 0.07}};
+  hypothesis.leave_one_out = {{"leave one out: balls", 0, hypothesis.shots, {}, {"predicted", 4, 0.125, -0.01, 3}, {}}};
   MaterialModuli soft{.material = "soft", .curve_modulus = 9e4};
   soft.mu_true = {1e5, {8e4, 1.3e5}};
   soft.mu_over_alpha = {3.3e4, {2e4, 5e4}};
@@ -225,19 +225,19 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   soft.youngs_quasi_static_over_alpha = Estimate{1e4, {8e3, 1.3e4}};
   MaterialModuli hard{.material = "hard", .curve_modulus = {}};
   hard.mu_true = {2e5, {2e4, nan, true, true}};
-  reading.moduli = {soft, hard};
-  reading.budgets = {{"E of soft",
-                      {{"scatter: shots", 0.08, 0.64}, {"rate factor", 0.06, 0.36}},
-                      0.1,
-                      {3e4, {2.4e4, 3.9e4}},
-                      "steel 3 mm",
-                      -1.7}};
-  reading.advice = {{"E of soft: three more shots", 0.8}};
-  reading.mesh_error = -0.004;
-  reading.findings = {"The strain and the modulus go together."};
+  hypothesis.moduli = {soft, hard};
+  hypothesis.budgets = {{"E of soft",
+                         {{"scatter: shots", 0.08, 0.64}, {"rate factor", 0.06, 0.36}},
+                         0.1,
+                         {3e4, {2.4e4, 3.9e4}},
+                         "steel 3 mm",
+                         -1.7}};
+  hypothesis.advice = {{"E of soft: three more shots", 0.8}};
+  hypothesis.mesh_error = -0.004;
+  hypothesis.findings = {"The strain and the modulus go together."};
 
-  ReadingResult held = reading;
-  held.reading = 1;
+  HypothesisResult held = hypothesis;
+  held.index = 1;
   held.parameters = {1, 3};
   held.minima.clear();
   held.intervals.clear();
@@ -253,14 +253,14 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   dehn.minimum.searched = Eigen::Vector2d(std::log(0.3), std::log(3e5));
   dehn.minimum.covariance = Eigen::Matrix2d::Identity();
   dehn.minimum.at_bound = {false, false};
-  dehn.shots = reading.shots;
+  dehn.shots = hypothesis.shots;
   dehn.sets = {{"balls, fitted", 2, 0.11, 0, 2}};
   dehn.cross_validations = {{"steel -> lead", 3, {}, {}, {"predicted", 1, 0.031, 0, 1}, 0.07}};
   dehn.leave_one_out = {{"leave one out: balls", 0, {}, {}, {"predicted", 4, 0.151, 0, 3}, {}}};
 
   EmulatorReport emulator;
   emulator.setting = "contact stiffness 0.5";
-  emulator.readings = {0, 1};
+  emulator.hypotheses = {0, 1};
   emulator.runs = 20;
   emulator.reused = 10;
   emulator.foreign = 3;
@@ -275,7 +275,7 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
 
   CalibrationResult result;
   result.emulators = {emulator};
-  result.readings = {reading, held};
+  result.hypotheses = {hypothesis, held};
   result.dehn = dehn;
   result.findings = {"Dehn predicts better."};
   result.cost = {20, 10, 9, 8, 60.0, "Twice the runs would help.", "x86_64_v2"};

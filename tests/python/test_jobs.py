@@ -24,31 +24,31 @@ class ACalibration(unittest.TestCase):
         cls.folder.cleanup()
 
     def test_finds_what_the_data_were_made_with(self):
-        reading = self.found.readings[0]
-        self.assertAlmostEqual(reading.parameters["mu"] / 120e3, 1, delta=0.03)
-        self.assertAlmostEqual(reading.parameters["alpha"], 6, delta=0.4)
-        self.assertAlmostEqual(reading.parameters["erosion_strain"], 1.1, delta=0.2)  # coarse meshes
+        hypothesis = self.found.hypotheses[0]
+        self.assertAlmostEqual(hypothesis.parameters["mu"] / 120e3, 1, delta=0.03)
+        self.assertAlmostEqual(hypothesis.parameters["alpha"], 6, delta=0.4)
+        self.assertAlmostEqual(hypothesis.parameters["erosion_strain"], 1.1, delta=0.2)  # coarse meshes
 
     def test_has_intervals_arrays_and_a_ridge(self):
-        reading = self.found.readings[0]
-        low, high = reading.intervals["mu"][:2]
-        self.assertTrue(low < reading.parameters["mu"] < high)
-        shots = reading.shots
+        hypothesis = self.found.hypotheses[0]
+        low, high = hypothesis.intervals["mu"][:2]
+        self.assertTrue(low < hypothesis.parameters["mu"] < high)
+        shots = hypothesis.shots
         np.testing.assert_allclose(shots["depth_m"] / shots["measured_m"] - 1, shots["deviation"], atol=1e-9)
-        ridge = reading.ridges[0]
+        ridge = hypothesis.ridges[0]
         self.assertEqual(ridge.rise.shape, (ridge.y.size, ridge.x.size))
         self.assertTrue(ridge.contours[0].shape[1] == 2)
         self.assertRegex(repr(self.found), r"mu = .* kPa \[.*erosion_strain = ")
 
     def test_is_its_result_as_a_dict(self):
         self.assertEqual(self.found["command"], "calibrate")
-        self.assertIn("readings", dict(self.found))
+        self.assertIn("hypotheses", dict(self.found))
         self.assertTrue(any("is fitted" in sentence for sentence in self.sentences))
 
     def test_goes_on_from_its_store(self):
         again = percal.calibrate(JOB, budget="5 min", store=self.store, threads=1)
         self.assertEqual(again.cost["runs"], 0)
-        self.assertEqual(again.readings[0].parameters, self.found.readings[0].parameters)
+        self.assertEqual(again.hypotheses[0].parameters, self.found.hypotheses[0].parameters)
 
     def test_ends_by_an_exception_of_the_listener(self):
         def refuse(sentence):

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "percal/calibrate/dehn_fit.hpp"
+#include "percal/calibrate/hypothesis.hpp"
+#include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/plausible.hpp"
-#include "percal/calibrate/reading.hpp"
-#include "percal/calibrate/reading_findings.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
 
@@ -20,19 +20,19 @@ using Eigen::VectorXd;
 using Announce = std::function<void(const std::string&)>;
 
 constexpr double share_for_training = 0.7;  // of a budget
-constexpr int plausible_for_each = 10;      // points of parameter space a round looks at, for each reading
+constexpr int plausible_for_each = 10;      // points of parameter space a round looks at, for each hypothesis
 constexpr double temperature = 1.5;         // a little wider than the data allow
 constexpr double trusted_spread =
     1.3;                        // of fresh runs in stated errors: 1 is right, and some 25 runs scatter about it by 0.14
 constexpr int most_checks = 2;  // of the best points
 constexpr std::size_t most_targets = 160, most_places = 160;
 
-// Readings that share the solver's setting share an emulator.
+// Hypotheses that share the solver's setting share an emulator.
 std::vector<std::vector<int>> settings_of(const CalibrationJob& job) {
   std::map<double, std::vector<int>> by_stiffness;
   std::vector<double> order;
-  for (std::size_t r = 0; r < job.readings.size(); ++r) {
-    const double stiffness = job.readings[r].contact_stiffness;
+  for (std::size_t r = 0; r < job.hypotheses.size(); ++r) {
+    const double stiffness = job.hypotheses[r].contact_stiffness;
     if (!by_stiffness.contains(stiffness)) order.push_back(stiffness);
     by_stiffness[stiffness].push_back(static_cast<int>(r));
   }
@@ -49,10 +49,10 @@ std::vector<T> evenly(const std::vector<T>& all, std::size_t most) {
   return some;
 }
 
-// What is plausible under a reading, as depths to be known and as places to run.
-void add_targets(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit, unsigned seed,
+// What is plausible under a hypothesis, as depths to be known and as places to run.
+void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit, unsigned seed,
                  std::vector<Training::Target>& targets, std::vector<Training::Place>& places) {
-  const CalibrationReading& read = job.readings[reading];
+  const Hypothesis& read = job.hypotheses[hypothesis];
   const VectorXd exponents = model.speed_exponents(fit.at, fit.shots);
   for (const VectorXd& at : plausible_points(fit, plausible_for_each, temperature, seed)) {
     const auto natural = natural_values(job, read, model, at);
@@ -69,7 +69,7 @@ void add_targets(const CalibrationJob& job, int reading, const JobModel& model, 
 }
 
 struct Trained {
-  std::vector<JobFit> fits;  // of the setting's readings
+  std::vector<JobFit> fits;  // of the setting's hypotheses
   std::string why;           // no more runs
 };
 
@@ -85,16 +85,17 @@ std::string why_enough(const CalibrationJob& job, const Training& training, cons
   return "";
 }
 
-// The best points of all readings are run anew on the verifying mesh. Where the runs lie further from the emulator than it says, it
+// The best points of all hypotheses are run anew on the verifying mesh. Where the runs lie further from the emulator than it says, it
 // learns from them, and says true.
-bool best_points_hold(const CalibrationJob& job, const std::vector<int>& readings, const std::vector<JobFit>& fits,
+bool best_points_hold(const CalibrationJob& job, const std::vector<int>& hypotheses, const std::vector<JobFit>& fits,
                       Training& training, Campaign& campaign, const Announce& announce) {
   std::vector<Problem> problems;
   double worst = 0;
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    const JobModel model = finite_element_model(job, job.readings[readings[k]], training.emulator(), element_size(job));
-    worst = std::max(worst, spread(fresh_runs(job, readings[k], model, fits[k], training.emulator(), campaign)));
-    const auto more = fresh_problems(job, readings[k], model, fits[k]);
+  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
+    const JobModel model =
+        finite_element_model(job, job.hypotheses[hypotheses[k]], training.emulator(), element_size(job));
+    worst = std::max(worst, spread(fresh_runs(job, hypotheses[k], model, fits[k], training.emulator(), campaign)));
+    const auto more = fresh_problems(job, hypotheses[k], model, fits[k]);
     problems.insert(problems.end(), more.begin(), more.end());
   }
   announce(fmt::format("{}: fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
@@ -104,13 +105,13 @@ bool best_points_hold(const CalibrationJob& job, const std::vector<int>& reading
   return false;
 }
 
-// Rounds of fitting and running until the emulator is surer than the data, in all the readings.
-Trained train(const CalibrationJob& job, const std::vector<int>& readings, Training& training, Campaign& campaign,
+// Rounds of fitting and running until the emulator is surer than the data, in all the hypotheses.
+Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Training& training, Campaign& campaign,
               const CalibrationLimits& limits, const Announce& announce) {
   training.fill_space();
   int checks = 0;
   Trained trained;
-  std::vector<std::optional<VectorXd>> starts(readings.size());
+  std::vector<std::optional<VectorXd>> starts(hypotheses.size());
   for (int round = 0;; ++round) {
     if (training.failures() || !training.has_emulator()) {
       trained.why = training.failures() ? training.failures()->why
@@ -121,9 +122,9 @@ Trained train(const CalibrationJob& job, const std::vector<int>& readings, Train
     std::vector<Training::Target> targets;
     std::vector<Training::Place> places;
     double worst = 0, emulator = 0, data = 0;
-    for (std::size_t k = 0; k < readings.size(); ++k) {
+    for (std::size_t k = 0; k < hypotheses.size(); ++k) {
       const JobModel model =
-          finite_element_model(job, job.readings[readings[k]], training.emulator(), element_size(job));
+          finite_element_model(job, job.hypotheses[hypotheses[k]], training.emulator(), element_size(job));
       JobFit fit = fit_job(job, model, used_shots(job), quick_search(), starts[k]);
       if (round % 3 != 2)
         starts[k] = fit.at;  // now and then from everywhere
@@ -135,7 +136,7 @@ Trained train(const CalibrationJob& job, const std::vector<int>& readings, Train
         emulator = sizes.emulator;
         data = sizes.data;
       }
-      add_targets(job, readings[k], model, fit, job.training.seed + static_cast<unsigned>(round), targets, places);
+      add_targets(job, hypotheses[k], model, fit, job.training.seed + static_cast<unsigned>(round), targets, places);
       trained.fits.push_back(std::move(fit));
     }
     EmulatorReport& report = training.report();
@@ -147,7 +148,7 @@ Trained train(const CalibrationJob& job, const std::vector<int>& readings, Train
     trained.why = why_enough(job, training, limits, worst);
     if (!trained.why.empty()) {
       if (limits.spent(share_for_training) || checks++ == most_checks ||
-          best_points_hold(job, readings, trained.fits, training, campaign, announce))
+          best_points_hold(job, hypotheses, trained.fits, training, campaign, announce))
         return trained;
       continue;
     }
@@ -163,7 +164,7 @@ void finish_report(EmulatorReport& report, const Emulator& emulator) {
   report.coverage95 = check.coverage95;
 }
 
-void add_fresh_runs(const CalibrationJob& job, ReadingResult& result, std::vector<FreshRun> fresh) {
+void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::vector<FreshRun> fresh) {
   result.fresh = std::move(fresh);
   int count = 0;
   for (const FreshRun& run : result.fresh)
@@ -174,26 +175,27 @@ void add_fresh_runs(const CalibrationJob& job, ReadingResult& result, std::vecto
   if (count > 0) result.fresh_deviation /= count;
 }
 
-// Every reading of a setting, side by side; then its fresh runs, which have all the threads.
-void read_all(const CalibrationJob& job, const std::vector<int>& readings, const Emulator& emulator, Campaign& campaign,
-              const CalibrationLimits& limits, const Announce& announce, std::vector<ReadingResult>& results) {
-  std::vector<JobModel> models(readings.size());
-  std::vector<JobFit> fits(readings.size());
-  campaign.side_by_side(static_cast<int>(readings.size()), [&](int k) {
-    const CalibrationReading& reading = job.readings[readings[k]];
-    models[k] = finite_element_model(job, reading, emulator, element_size(job));
+// Every hypothesis of a setting, side by side; then its fresh runs, which have all the threads.
+void read_all(const CalibrationJob& job, const std::vector<int>& hypotheses, const Emulator& emulator,
+              Campaign& campaign, const CalibrationLimits& limits, const Announce& announce,
+              std::vector<HypothesisResult>& results) {
+  std::vector<JobModel> models(hypotheses.size());
+  std::vector<JobFit> fits(hypotheses.size());
+  campaign.side_by_side(static_cast<int>(hypotheses.size()), [&](int k) {
+    const Hypothesis& hypothesis = job.hypotheses[hypotheses[k]];
+    models[k] = finite_element_model(job, hypothesis, emulator, element_size(job));
     fits[k] = fit_job(job, models[k], used_shots(job), thorough_search());
-    const JobModel without_mesh = finite_element_model(job, reading, emulator, 0);
-    results[readings[k]] = read_out(job, readings[k], models[k], without_mesh, fits[k], limits);
+    const JobModel without_mesh = finite_element_model(job, hypothesis, emulator, 0);
+    results[hypotheses[k]] = read_out(job, hypotheses[k], models[k], without_mesh, fits[k], limits);
   });
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    ReadingResult& result = results[readings[k]];
-    announce(fmt::format("\"{}\" is fitted", job.readings[readings[k]].name));
+  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
+    HypothesisResult& result = results[hypotheses[k]];
+    announce(fmt::format("\"{}\" is fitted", job.hypotheses[hypotheses[k]].name));
     if (limits.spent()) {
       result.findings.push_back("Not checked by fresh runs: the budget was spent.");
       continue;
     }
-    add_fresh_runs(job, result, fresh_runs(job, readings[k], models[k], fits[k], emulator, campaign));
+    add_fresh_runs(job, result, fresh_runs(job, hypotheses[k], models[k], fits[k], emulator, campaign));
   }
 }
 
@@ -219,11 +221,11 @@ std::string what_more_time_buys(const std::vector<EmulatorReport>& reports) {
 CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& campaign,
                             const CalibrationLimits& limits, const Announce& announce) {
   CalibrationResult result;
-  result.readings.resize(job.readings.size());
+  result.hypotheses.resize(job.hypotheses.size());
   bool complete = true;
-  for (const auto& readings : settings_of(job)) {
-    Training training(job, readings, &store, campaign, limits);
-    const Trained trained = train(job, readings, training, campaign, limits, announce);
+  for (const auto& hypotheses : settings_of(job)) {
+    Training training(job, hypotheses, &store, campaign, limits);
+    const Trained trained = train(job, hypotheses, training, campaign, limits, announce);
     training.report().stopped = trained.why;
     if (training.has_emulator()) finish_report(training.report(), training.emulator());
     result.emulators.push_back(training.report());
@@ -232,9 +234,9 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
       complete = false;
       continue;
     }
-    read_all(job, readings, training.emulator(), campaign, limits, announce, result.readings);
+    read_all(job, hypotheses, training.emulator(), campaign, limits, announce, result.hypotheses);
   }
-  if (!complete) result.readings.clear();
+  if (!complete) result.hypotheses.clear();
   if (job.dehn && !used_shots(job).empty()) result.dehn = fit_dehn(job);
   const auto findings = overall_findings(job, result);
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());

@@ -16,9 +16,9 @@ namespace {
 constexpr double smallest_bulk_ratio = 50;
 
 // Natural values of all the job's parameters, the held ones included.
-std::vector<double> natural_of(const CalibrationJob& job, const ReadingResult& result) {
+std::vector<double> natural_of(const CalibrationJob& job, const HypothesisResult& result) {
   std::vector<double> natural(job.parameters.size());
-  for (const auto& [k, value] : job.readings[result.reading].held) natural[k] = value;
+  for (const auto& [k, value] : job.hypotheses[result.index].held) natural[k] = value;
   const Eigen::VectorXd& searched = result.minima.front().searched;
   for (std::size_t i = 0; i < result.parameters.size(); ++i)
     natural[result.parameters[i]] =
@@ -34,7 +34,7 @@ CardInterval card_interval(const std::string& parameter, const Interval& interva
 }
 
 // The interval of a material's number that was fitted.
-void add_fitted(const ReadingResult& result, const MaterialNumber& number, const std::string& name,
+void add_fitted(const HypothesisResult& result, const MaterialNumber& number, const std::string& name,
                 CardIntervals& intervals) {
   const auto* shared = std::get_if<SharedParameter>(&number);
   if (!shared) return;
@@ -43,7 +43,7 @@ void add_fitted(const ReadingResult& result, const MaterialNumber& number, const
       intervals.of.push_back(card_interval(name, interval.interval));
 }
 
-CardIntervals intervals_of(const CalibrationJob& job, const ReadingResult& result,
+CardIntervals intervals_of(const CalibrationJob& job, const HypothesisResult& result,
                            const CalibrationMaterial& material) {
   CardIntervals intervals{job.level, {}};
   for (const MaterialModuli& moduli : result.moduli) {
@@ -79,7 +79,7 @@ std::vector<CardData> data_of(const CalibrationJob& job) {
   return data;
 }
 
-std::string error_of(const ReadingResult& result) {
+std::string error_of(const HypothesisResult& result) {
   double sum = 0;
   int shots = 0;
   for (const ShotDepth& shot : result.shots) {
@@ -92,21 +92,21 @@ std::string error_of(const ReadingResult& result) {
 
 }  // namespace
 
-std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const ReadingResult& result) {
+std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const HypothesisResult& result) {
   std::vector<CardMaterial> cards;
   if (result.minima.empty()) return cards;
-  const CalibrationReading& reading = job.readings[result.reading];
+  const Hypothesis& hypothesis = job.hypotheses[result.index];
   const auto natural = natural_of(job, result);
   const auto data = data_of(job);
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
     const CalibrationMaterial& material = job.materials[m];
-    const MaterialAt at = material_at(job, reading, static_cast<int>(m), natural);
-    CardMaterial card{.name = job.readings.size() == 1 ? material.name : material.name + ", " + reading.name,
+    const MaterialAt at = material_at(job, hypothesis, static_cast<int>(m), natural);
+    CardMaterial card{.name = job.hypotheses.size() == 1 ? material.name : material.name + ", " + hypothesis.name,
                       .density = at.density,
                       .terms = {{at.mu_true, at.alpha}},
                       .bulk_modulus = at.mu_true * bulk_ratio(job, static_cast<int>(m), at),
                       .erosion = CardErosion{at.erosion_strain, StrainMeasure::engineering},
-                      .comments = {"calibrated by percal from " + job.title + ", reading '" + reading.name + "'"},
+                      .comments = {"calibrated by percal from " + job.title + ", hypothesis '" + hypothesis.name + "'"},
                       .intervals = intervals_of(job, result, material),
                       .fit_error = error_of(result),
                       .data = data};

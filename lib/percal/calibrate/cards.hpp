@@ -1,4 +1,4 @@
-// Material cards of a calibration: one for each reading and material, with its intervals.             docs/formats/cards.md
+// Material cards of a calibration: one for each hypothesis and material, with its intervals.             docs/formats/cards.md
 #pragma once
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace percal {
 
-// At the best minimum of the reading, none without one. A card is named after its material, and after its reading too where the
+// At the best minimum of the hypothesis, none without one. A card is named after its material, and after its hypothesis too where the
 // job has several. K/mu is the largest of the runs that answer for the material's shots, at least 50. Data: the job and its tables
 // as far as they can be read.
-std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const ReadingResult& result);
+std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const HypothesisResult& result);
 
 }  // namespace percal

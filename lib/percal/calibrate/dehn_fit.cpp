@@ -1,6 +1,6 @@
 #include "percal/calibrate/dehn_fit.hpp"
 
-#include "percal/calibrate/reading.hpp"
+#include "percal/calibrate/hypothesis.hpp"
 
 namespace percal {
 

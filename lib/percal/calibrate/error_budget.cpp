@@ -130,11 +130,11 @@ Estimate widened(const Estimate& of, double ratio, double own_error, double quan
 
 }  // namespace
 
-LogQuantity stiffness_quantity(const CalibrationJob& job, const CalibrationReading& reading, const JobModel& model,
+LogQuantity stiffness_quantity(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
                                const JobFit& fit, int material) {
   const CalibrationMaterial& m = job.materials[material];
-  const auto natural = natural_values(job, reading, model, fit.at);
-  const MaterialAt at = material_at(job, reading, material, natural);
+  const auto natural = natural_values(job, hypothesis, model, fit.at);
+  const MaterialAt at = material_at(job, hypothesis, material, natural);
   LogQuantity quantity;
   quantity.name = m.rate_factor ? "quasi-static E of " + m.name : "mu of " + m.name;
   quantity.value = m.rate_factor ? 3 * at.mu_true / *m.rate_factor : at.mu_true;
@@ -150,21 +150,21 @@ LogQuantity stiffness_quantity(const CalibrationJob& job, const CalibrationReadi
     };
     double& slope = quantity.gradient[static_cast<Eigen::Index>(k)];
     if (is(m.mu)) slope += parameter.logarithmic ? 1 : 1 / at.mu_as_given;
-    if (is(m.alpha) && reading.convention == ModulusConvention::mu_over_alpha)
+    if (is(m.alpha) && hypothesis.convention == ModulusConvention::mu_over_alpha)
       slope += (parameter.logarithmic ? at.alpha : 1) / at.alpha;
   }
   return quantity;
 }
 
-std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const CalibrationReading& reading,
+std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Hypothesis& hypothesis,
                                             const JobModel& model, const JobFit& fit,
                                             const std::vector<ProfileInterval>& profiles) {
-  const auto natural = natural_values(job, reading, model, fit.at);
+  const auto natural = natural_values(job, hypothesis, model, fit.at);
   std::vector<MaterialModuli> all;
   for (std::size_t i = 0; i < job.materials.size(); ++i) {
     const CalibrationMaterial& m = job.materials[i];
-    const MaterialAt at = material_at(job, reading, static_cast<int>(i), natural);
-    const LogQuantity quantity = stiffness_quantity(job, reading, model, fit, static_cast<int>(i));
+    const MaterialAt at = material_at(job, hypothesis, static_cast<int>(i), natural);
+    const LogQuantity quantity = stiffness_quantity(job, hypothesis, model, fit, static_cast<int>(i));
     // ln MU1 = ln mu - ln alpha + ln 2
     VectorXd of_mu1 = quantity.gradient;
     if (const auto* alpha = std::get_if<SharedParameter>(&m.alpha))
@@ -183,7 +183,7 @@ std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Cal
     moduli.mu_true = estimate_of(at.mu_true, true_error, quantile);
     moduli.mu_over_alpha = estimate_of(mu1, mu1_error, quantile);
     if (const auto profile = profile_of(model, fit, m.mu, profiles)) {
-      const bool is_mu1 = reading.convention == ModulusConvention::mu_over_alpha;
+      const bool is_mu1 = hypothesis.convention == ModulusConvention::mu_over_alpha;
       (is_mu1 ? moduli.mu_over_alpha : moduli.mu_true).interval = *profile;
     }
     if (m.rate_factor) {

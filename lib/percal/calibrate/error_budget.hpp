@@ -20,12 +20,12 @@ ErrorBudget error_budget(const CalibrationJob& job, const JobModel& model, const
 
 // Moduli of every material that the fit moves, and of the fixed ones. The interval of a modulus that is itself a fitted parameter is
 // its profile's; those of numbers derived from several parameters are linearised.
-std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const CalibrationReading& reading,
+std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Hypothesis& hypothesis,
                                             const JobModel& model, const JobFit& fit,
                                             const std::vector<ProfileInterval>& profiles);
 
 // ln of the quasi-static Young's modulus 3 mu_true / rate factor of a material as a quantity; of mu_true where no factor is known.
-LogQuantity stiffness_quantity(const CalibrationJob& job, const CalibrationReading& reading, const JobModel& model,
+LogQuantity stiffness_quantity(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
                                const JobFit& fit, int material);
 
 }  // namespace percal

@@ -21,11 +21,13 @@ struct Places {
 
 struct Context {
   CalibrationJob job;  // a copy: the model outlives its maker
-  CalibrationReading reading;
+  Hypothesis hypothesis;
   JobModel layout;  // parameters and of_job only
   std::vector<Places> places;
 
-  std::vector<double> natural(const VectorXd& searched) const { return natural_values(job, reading, layout, searched); }
+  std::vector<double> natural(const VectorXd& searched) const {
+    return natural_values(job, hypothesis, layout, searched);
+  }
 
   // d(ln mu_true, alpha, erosion strain)/d searched of a material, 3 x parameters.
   MatrixXd derivative(int material, const MaterialAt& at) const {
@@ -35,7 +37,7 @@ struct Context {
     if (p.alpha >= 0) {
       const double slope = natural_slope(layout.parameters[p.alpha], at.alpha);
       d(1, p.alpha) = slope;
-      if (reading.convention == ModulusConvention::mu_over_alpha) d(0, p.alpha) += slope / at.alpha;
+      if (hypothesis.convention == ModulusConvention::mu_over_alpha) d(0, p.alpha) += slope / at.alpha;
     }
     if (p.erosion_strain >= 0)
       d(2, p.erosion_strain) = natural_slope(layout.parameters[p.erosion_strain], at.erosion_strain);
@@ -57,7 +59,7 @@ ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, do
   std::vector<MatrixXd> chain;  // sphere_inputs x parameters
   for (int i : shots) {
     const MeasuredShot& shot = context.job.shots[i];
-    const MaterialAt material = material_at(context.job, context.reading, shot.material, natural);
+    const MaterialAt material = material_at(context.job, context.hypothesis, shot.material, natural);
     const ShotInputs inputs = shot_inputs(shot, material);
     at.push_back(inputs.at);
     chain.push_back(inputs.derivative.leftCols<3>() * context.derivative(shot.material, material));
@@ -81,7 +83,7 @@ VectorXd emulated_speed_exponents(const Context& context, const Emulator& emulat
   MatrixXd along(static_cast<Eigen::Index>(shots.size()), sphere_inputs);
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const MeasuredShot& shot = context.job.shots[shots[k]];
-    const ShotInputs inputs = shot_inputs(shot, material_at(context.job, context.reading, shot.material, natural));
+    const ShotInputs inputs = shot_inputs(shot, material_at(context.job, context.hypothesis, shot.material, natural));
     at.push_back(inputs.at);
     along.row(k) = inputs.derivative.col(3).transpose();
   }
@@ -112,7 +114,7 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
   Eigen::Index row = 0;
   bool any_common = false;
   for (const auto& curve : context.job.curves) {
-    const MaterialAt material = material_at(context.job, context.reading, curve.material, natural);
+    const MaterialAt material = material_at(context.job, context.hypothesis, curve.material, natural);
     const MatrixXd derivative = context.derivative(curve.material, material);
     const Ogden solid{material.mu_true / curve.rate_factor, material.alpha};
     const auto scales = stress_scales(curve);
@@ -133,10 +135,10 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
 
 }  // namespace
 
-std::vector<double> natural_values(const CalibrationJob& job, const CalibrationReading& reading, const JobModel& model,
+std::vector<double> natural_values(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
                                    const VectorXd& searched) {
   std::vector<double> natural(job.parameters.size(), 0.0);
-  for (const auto& [parameter, value] : reading.held) natural[parameter] = value;
+  for (const auto& [parameter, value] : hypothesis.held) natural[parameter] = value;
   for (std::size_t k = 0; k < model.of_job.size(); ++k)
     natural[model.of_job[k]] = model.parameters[k].natural(searched[static_cast<Eigen::Index>(k)]);
   return natural;
@@ -166,13 +168,13 @@ std::vector<Datum> curve_data(const CalibrationJob& job) {
   return data;
 }
 
-JobModel finite_element_model(const CalibrationJob& job, const CalibrationReading& reading, const Emulator& emulator,
+JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, const Emulator& emulator,
                               double h) {
   auto context = std::make_shared<Context>();
   context->job = job;
-  context->reading = reading;
+  context->hypothesis = hypothesis;
   for (std::size_t k = 0; k < job.parameters.size(); ++k) {
-    if (reading.held.contains(static_cast<int>(k))) continue;
+    if (hypothesis.held.contains(static_cast<int>(k))) continue;
     context->layout.parameters.push_back(job.parameters[k].free);
     context->layout.of_job.push_back(static_cast<int>(k));
   }

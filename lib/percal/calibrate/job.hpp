@@ -1,4 +1,4 @@
-// A calibration as its TOML file says it: parameters, materials, curves, shots, readings. docs/formats/calibrate.md
+// A calibration as its TOML file says it: parameters, materials, curves, shots, hypotheses. docs/formats/calibrate.md
 #pragma once
 #include <map>
 #include <optional>
@@ -71,7 +71,7 @@ struct MeasuredCurve {
 };
 
 // One way to read the data: which numbers are held, and the choices that depths cannot settle.
-struct CalibrationReading {
+struct Hypothesis {
   std::string name;
   std::map<int, double> held;                                    // parameter -> natural value
   ModulusConvention convention = ModulusConvention::true_shear;  // what mu as given means
@@ -84,8 +84,8 @@ using ShotFilter = std::vector<std::string>;
 struct CrossValidation {
   std::string name;
   ShotFilter fit, predict;
-  std::vector<int> readings;   // empty: every one
-  std::optional<double> goal;  // mean relative deviation; said beside the result
+  std::vector<int> hypotheses;  // empty: every one
+  std::optional<double> goal;   // mean relative deviation; said beside the result
 };
 
 // Pairs of a modulus and an erosion strain that somebody else found, to be drawn beside the ridge. They are used nowhere else.
@@ -120,7 +120,7 @@ struct CalibrationJob {
   std::vector<ShotSet> sets;
   std::vector<MeasuredShot> shots;
   std::vector<MeasuredCurve> curves;
-  std::vector<CalibrationReading> readings;  // never empty
+  std::vector<Hypothesis> hypotheses;  // never empty
   std::vector<CrossValidation> cross_validations;
   std::vector<PublishedPairs> published;
   TrainingSettings training;

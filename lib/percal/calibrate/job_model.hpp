@@ -23,15 +23,15 @@ struct JobModel {
   std::function<ModelAnswer(const Eigen::VectorXd& searched, Want want)> stresses;
 };
 
-// The job's parameters that the reading leaves free; depths by the emulator on a mesh of element size h.
-JobModel finite_element_model(const CalibrationJob& job, const CalibrationReading& reading, const Emulator& emulator,
+// The job's parameters that the hypothesis leaves free; depths by the emulator on a mesh of element size h.
+JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, const Emulator& emulator,
                               double h);
 
 // One drag coefficient c for all, one strength s for each material that has a parameter of its own for the modulus.
 JobModel dehn_model(const CalibrationJob& job);
 
-// Natural values of all the job's parameters at a point of the reading's fitted ones.
-std::vector<double> natural_values(const CalibrationJob& job, const CalibrationReading& reading, const JobModel& model,
+// Natural values of all the job's parameters at a point of the hypothesis's fitted ones.
+std::vector<double> natural_values(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
                                    const Eigen::VectorXd& searched);
 
 // A stress is fitted as a multiple of its own size, or of this share of the largest of its curve where it is smaller.

@@ -31,9 +31,9 @@ Json parameters_to_json(const std::vector<FreeParameter>& parameters, const Mini
                         const std::vector<ProfileInterval>& intervals, const std::optional<Bootstrap>& bootstrap);
 Json minimum_to_json(const CalibrationJob& job, const std::vector<FreeParameter>& parameters, const Minimum& minimum);
 
-Json job_to_json(const CalibrationJob& job);                                       // job_json.cpp
-Json reading_to_json(const CalibrationJob& job, const ReadingResult& reading);     // reading_json.cpp
-Json dehn_to_json(const CalibrationJob& job, const DehnResult& dehn);              // reading_json.cpp
-Json emulator_to_json(const CalibrationJob& job, const EmulatorReport& emulator);  // result_json.cpp
+Json job_to_json(const CalibrationJob& job);                                             // job_json.cpp
+Json hypothesis_to_json(const CalibrationJob& job, const HypothesisResult& hypothesis);  // hypothesis_json.cpp
+Json dehn_to_json(const CalibrationJob& job, const DehnResult& dehn);                    // hypothesis_json.cpp
+Json emulator_to_json(const CalibrationJob& job, const EmulatorReport& emulator);        // result_json.cpp
 
 }  // namespace percal::calibration_json

@@ -64,15 +64,15 @@ struct Extent {
 
 // --- ridges -----------------------------------------------------------------------------------------------------
 
-// A reading's ridge of one modulus, if it has one.
-const RidgeMap* ridge_of(const ReadingResult& reading, int modulus) {
-  for (const RidgeMap& map : reading.ridges)
-    if (reading.parameters[map.second] == modulus) return &map;
+// A hypothesis's ridge of one modulus, if it has one.
+const RidgeMap* ridge_of(const HypothesisResult& hypothesis, int modulus) {
+  for (const RidgeMap& map : hypothesis.ridges)
+    if (hypothesis.parameters[map.second] == modulus) return &map;
   return nullptr;
 }
 
-double best_at(const CalibrationJob& job, const ReadingResult& reading, int place) {
-  return job.parameters[reading.parameters[place]].free.natural(reading.minima.front().searched[place]);
+double best_at(const CalibrationJob& job, const HypothesisResult& hypothesis, int place) {
+  return job.parameters[hypothesis.parameters[place]].free.natural(hypothesis.minima.front().searched[place]);
 }
 
 std::string contour_points(const RidgeMap& map) {
@@ -84,13 +84,13 @@ std::string contour_points(const RidgeMap& map) {
   return points;
 }
 
-void add_reading(const CalibrationJob& job, const ReadingResult& reading, int modulus, Script& script, std::string& csv,
-                 Extent& extent) {
-  const RidgeMap* map = ridge_of(reading, modulus);
-  if (!map || reading.minima.empty()) return;
-  const std::string& name = job.readings[reading.reading].name;
-  const double strain = best_at(job, reading, map->first), mu = best_at(job, reading, map->second);
-  const char* const drawn_in = colour(static_cast<std::size_t>(reading.reading));
+void add_hypothesis(const CalibrationJob& job, const HypothesisResult& hypothesis, int modulus, Script& script,
+                    std::string& csv, Extent& extent) {
+  const RidgeMap* map = ridge_of(hypothesis, modulus);
+  if (!map || hypothesis.minima.empty()) return;
+  const std::string& name = job.hypotheses[hypothesis.index].name;
+  const double strain = best_at(job, hypothesis, map->first), mu = best_at(job, hypothesis, map->second);
+  const char* const drawn_in = colour(static_cast<std::size_t>(hypothesis.index));
   if (!map->contours.empty())
     script.add(contour_points(*map),
                fmt::format("with lines lw 1.5 lc rgb \"{}\" title {}", drawn_in, gnuplot_quoted(name)));
@@ -125,7 +125,8 @@ Plot ridge_plot(const CalibrationJob& job, const CalibrationResult& result, int 
   Script script;
   Extent extent;
   std::string csv = "of,kind,line,erosion_strain,mu_as_given_Pa\n";
-  for (const ReadingResult& reading : result.readings) add_reading(job, reading, modulus, script, csv, extent);
+  for (const HypothesisResult& hypothesis : result.hypotheses)
+    add_hypothesis(job, hypothesis, modulus, script, csv, extent);
   add_published(job, modulus, script, csv, extent);
   return {"ridge_" + name, csv,
           script.text(heading("What the data allow: " + name + " over the erosion strain (95 % regions)",
@@ -141,13 +142,13 @@ std::string depth_row(const MeasuredShot& shot, const ShotDepth& depth) {
                      depth.low / shot.radius, depth.high / shot.radius);
 }
 
-Plot depth_plot(const CalibrationJob& job, const ReadingResult& reading) {
+Plot depth_plot(const CalibrationJob& job, const HypothesisResult& hypothesis) {
   Script script;
   std::string csv = "label,set,measured_m,at_least,model_m,low_m,high_m,fitted\n";
   Extent extent;
   for (std::size_t s = 0; s < job.sets.size(); ++s) {
     std::string fitted, predicted;
-    for (const ShotDepth& depth : reading.shots) {
+    for (const ShotDepth& depth : hypothesis.shots) {
       const MeasuredShot& shot = job.shots[depth.shot];
       if (shot.set != static_cast<int>(s)) continue;
       (depth.fitted ? fitted : predicted) += depth_row(shot, depth);
@@ -166,8 +167,8 @@ Plot depth_plot(const CalibrationJob& job, const ReadingResult& reading) {
   }
   script.plot +=
       fmt::format("{}x with lines lw 0.8 lc rgb \"#888888\" notitle", script.plot.empty() ? "plot " : ", \\\n     ");
-  return {fmt::format("depths_{}", reading.reading + 1), csv,
-          script.text(heading("Depths: " + job.readings[reading.reading].name, "measured, radii",
+  return {fmt::format("depths_{}", hypothesis.index + 1), csv,
+          script.text(heading("Depths: " + job.hypotheses[hypothesis.index].name, "measured, radii",
                               "model, radii; interval of one shot") +
                       "set logscale xy\n" + extent.axis('x') + extent.axis('y'))};
 }
@@ -209,11 +210,11 @@ Plot time_plot(const CalibrationResult& result) {
 std::vector<Plot> calibration_plots(const CalibrationJob& job, const CalibrationResult& result) {
   std::vector<Plot> plots;
   for (int k = 0; k < static_cast<int>(job.parameters.size()); ++k)
-    if (std::any_of(result.readings.begin(), result.readings.end(),
-                    [k](const ReadingResult& r) { return ridge_of(r, k); }))
+    if (std::any_of(result.hypotheses.begin(), result.hypotheses.end(),
+                    [k](const HypothesisResult& r) { return ridge_of(r, k); }))
       plots.push_back(ridge_plot(job, result, k));
-  for (const ReadingResult& reading : result.readings)
-    if (!reading.shots.empty()) plots.push_back(depth_plot(job, reading));
+  for (const HypothesisResult& hypothesis : result.hypotheses)
+    if (!hypothesis.shots.empty()) plots.push_back(depth_plot(job, hypothesis));
   if (!result.emulators.empty()) plots.push_back(time_plot(result));
   return plots;
 }

@@ -8,8 +8,8 @@
 
 namespace percal {
 
-// "ridge_PARAMETER" for each modulus that has a ridge, its level sets in all readings with the best points and the
-// published ones; "depths_N", depths measured against model's, for each reading (from 1); "error_vs_time", the
+// "ridge_PARAMETER" for each modulus that has a ridge, its level sets in all hypotheses with the best points and the
+// published ones; "depths_N", depths measured against model's, for each hypothesis (from 1); "error_vs_time", the
 // emulators' error round by round.
 std::vector<Plot> calibration_plots(const CalibrationJob& job, const CalibrationResult& result);
 

@@ -41,17 +41,18 @@ ShotFilter filter_from(const TomlTable& block, const std::string& key, const Cal
   return filter;
 }
 
-std::vector<int> readings_from(const TomlTable& block, const CalibrationJob& job) {
-  std::vector<int> readings;
-  if (!block.has("readings")) return readings;
-  for (const std::string& name : block.texts("readings")) {
+std::vector<int> hypotheses_from(const TomlTable& block, const CalibrationJob& job) {
+  std::vector<int> hypotheses;
+  const std::string key = block.has("readings") ? "readings" : "hypotheses";  // the older spelling
+  if (!block.has(key)) return hypotheses;
+  for (const std::string& name : block.texts(key)) {
     const auto found =
-        std::find_if(job.readings.begin(), job.readings.end(), [&](const auto& r) { return r.name == name; });
-    if (found == job.readings.end())
-      block.refuse("readings", in_quotes(name), "readings of the job: " + names_of(job.readings));
-    readings.push_back(static_cast<int>(found - job.readings.begin()));
+        std::find_if(job.hypotheses.begin(), job.hypotheses.end(), [&](const auto& r) { return r.name == name; });
+    if (found == job.hypotheses.end())
+      block.refuse(key, in_quotes(name), "hypotheses of the job: " + names_of(job.hypotheses));
+    hypotheses.push_back(static_cast<int>(found - job.hypotheses.begin()));
   }
-  return readings;
+  return hypotheses;
 }
 
 void check_apart(const TomlTable& block, const CalibrationJob& job, const CrossValidation& wanted) {
@@ -69,7 +70,7 @@ void read_cross_validations(const TomlTable& root, CalibrationJob& job) {
     CrossValidation wanted{.name = block.text("name"),
                            .fit = filter_from(block, "fit", job),
                            .predict = filter_from(block, "predict", job),
-                           .readings = readings_from(block, job),
+                           .hypotheses = hypotheses_from(block, job),
                            .goal = optional_share_from(block, "goal", positive("share"))};
     check_apart(block, job, wanted);
     for (const CrossValidation& other : job.cross_validations)

@@ -36,7 +36,7 @@ CalibrationJob read_calibration_job(const std::string& path) {
   read_scatter_groups(root, job);
   read_shots(root, job);
   read_job_curves(root, job);
-  read_readings(root, job);
+  read_hypotheses(root, job);
   read_cross_validations(root, job);
   read_published(root, job);
   root.finish();

@@ -13,9 +13,9 @@ void read_materials(const TomlTable& root, CalibrationJob& job);          // rea
 void read_scatter_groups(const TomlTable& root, CalibrationJob& job);     // read_scatter.cpp
 void read_shots(const TomlTable& root, CalibrationJob& job);              // read_shots.cpp
 void read_job_curves(const TomlTable& root, CalibrationJob& job);         // read_job_curves.cpp
-void read_readings(const TomlTable& root, CalibrationJob& job);           // read_readings.cpp
+void read_hypotheses(const TomlTable& root, CalibrationJob& job);         // read_hypotheses.cpp
 void read_cross_validations(const TomlTable& root, CalibrationJob& job);  // read_cross_validations.cpp
-void read_published(const TomlTable& root, CalibrationJob& job);          // read_readings.cpp
+void read_published(const TomlTable& root, CalibrationJob& job);          // read_hypotheses.cpp
 void read_training(const TomlTable& root, CalibrationJob& job);           // read_training.cpp
 
 // What no single block can tell: numbers, materials and groups that nothing uses, parameters that no fitted datum

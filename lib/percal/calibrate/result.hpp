@@ -1,4 +1,4 @@
-// What a calibration found: for every reading the parameters with their intervals, every shot beside its model, what was predicted
+// What a calibration found: for every hypothesis the parameters with their intervals, every shot beside its model, what was predicted
 // from what, where the error comes from, and what it cost.                                      docs/formats/calibrate.md
 #pragma once
 #include <map>
@@ -78,7 +78,7 @@ struct ErrorBudget {
   double influence = 0;
 };
 
-// The moduli of a material under one reading, in both conventions, Pa: mu, and LS-DYNA's MU1 = 2 mu/alpha. E = 3 mu, or 3 MU1 as
+// The moduli of a material under one hypothesis, in both conventions, Pa: mu, and LS-DYNA's MU1 = 2 mu/alpha. E = 3 mu, or 3 MU1 as
 // whoever takes MU1 for a shear modulus would say.
 struct MaterialModuli {
   std::string material;
@@ -88,8 +88,8 @@ struct MaterialModuli {
   std::optional<double> curve_modulus;                          // the job's, beside it
 };
 
-struct ReadingResult {
-  int reading = 0;              // of CalibrationJob::readings
+struct HypothesisResult {
+  int index = 0;                // of CalibrationJob::hypotheses
   std::vector<Minimum> minima;  // best first; parameters: those of the job that are not held
   std::vector<int> parameters;  // job parameter of each fitted one
   std::vector<ProfileInterval> intervals;
@@ -123,7 +123,7 @@ struct DehnResult {
 // One emulator: the choices it stands for, what it was trained on, its own error.
 struct EmulatorReport {
   std::string setting;  // "engineering strain, contact stiffness 0.6"
-  std::vector<int> readings;
+  std::vector<int> hypotheses;
   int runs = 0, reused = 0, foreign = 0;  // done here, taken from the store, of these not of this job's design
   std::map<std::string, int> outcomes;    // of its design, by name
   EmulatorSettings settings;
@@ -148,7 +148,7 @@ struct CalibrationCost {
 
 struct CalibrationResult {
   std::vector<EmulatorReport> emulators;
-  std::vector<ReadingResult> readings;
+  std::vector<HypothesisResult> hypotheses;
   std::optional<DehnResult> dehn;
   std::vector<std::string> findings;  // about the whole
   CalibrationCost cost;

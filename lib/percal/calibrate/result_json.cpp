@@ -37,14 +37,14 @@ Json cost_to_json(const CalibrationCost& cost) {
 }  // namespace
 
 Json emulator_to_json(const CalibrationJob& job, const EmulatorReport& emulator) {
-  Json readings = Json::array(), rounds = Json::array(), outcomes = Json::array();
-  for (const int r : emulator.readings) readings.push_back(job.readings[r].name);
+  Json hypotheses = Json::array(), rounds = Json::array(), outcomes = Json::array();
+  for (const int r : emulator.hypotheses) hypotheses.push_back(job.hypotheses[r].name);
   for (const auto& round : emulator.rounds)
     rounds.push_back(
         {{"runs", round.runs}, {"cpu_s", number(round.cpu_seconds)}, {"error_at_optimum", number(round.error)}});
   for (const auto& [name, count] : emulator.outcomes) outcomes.push_back({{"outcome", name}, {"runs", count}});
   return {{"setting", emulator.setting},
-          {"readings", readings},
+          {"hypotheses", hypotheses},
           {"runs", emulator.runs},
           {"reused", emulator.reused},
           {"foreign", emulator.foreign},
@@ -63,12 +63,13 @@ Json emulator_to_json(const CalibrationJob& job, const EmulatorReport& emulator)
 
 nlohmann::json calibration_to_json(const CalibrationJob& job, const CalibrationResult& result) {
   using namespace calibration_json;
-  Json emulators = Json::array(), readings = Json::array();
+  Json emulators = Json::array(), hypotheses = Json::array();
   for (const EmulatorReport& emulator : result.emulators) emulators.push_back(emulator_to_json(job, emulator));
-  for (const ReadingResult& reading : result.readings) readings.push_back(reading_to_json(job, reading));
+  for (const HypothesisResult& hypothesis : result.hypotheses)
+    hypotheses.push_back(hypothesis_to_json(job, hypothesis));
   Json cards = Json::array();
-  for (const ReadingResult& reading : result.readings)
-    for (const CardMaterial& card : calibration_cards(job, reading)) cards.push_back(card_to_json(card));
+  for (const HypothesisResult& hypothesis : result.hypotheses)
+    for (const CardMaterial& card : calibration_cards(job, hypothesis)) cards.push_back(card_to_json(card));
   return {{"schema", result_schema},
           {"percal", version()},
           {"command", "calibrate"},
@@ -77,7 +78,7 @@ nlohmann::json calibration_to_json(const CalibrationJob& job, const CalibrationR
           {"input", {{"job", job.file}, {"toml", job.text}}},
           {"level", job.level},
           {"data", job_to_json(job)},
-          {"readings", readings},
+          {"hypotheses", hypotheses},
           {"cards", cards},
           {"dehn", result.dehn ? dehn_to_json(job, *result.dehn) : Json(nullptr)},
           {"emulators", emulators},

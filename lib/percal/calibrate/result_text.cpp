@@ -10,20 +10,20 @@ using namespace calibration_text;
 
 namespace {
 
-// A parameter of the job under a reading: fitted, held, or without a datum.
-std::string value_under(const CalibrationJob& job, const ReadingResult& reading, int parameter) {
+// A parameter of the job under a hypothesis: fitted, held, or without a datum.
+std::string value_under(const CalibrationJob& job, const HypothesisResult& hypothesis, int parameter) {
   const FreeParameter& free = job.parameters[parameter].free;
-  const auto& held = job.readings[reading.reading].held;
+  const auto& held = job.hypotheses[hypothesis.index].held;
   if (const auto found = held.find(parameter); found != held.end()) return value_of(free, found->second) + " held";
-  const auto place = std::find(reading.parameters.begin(), reading.parameters.end(), parameter);
-  if (place == reading.parameters.end() || reading.minima.empty()) return "-";
-  return value_of(free, free.natural(reading.minima.front().searched[place - reading.parameters.begin()]));
+  const auto place = std::find(hypothesis.parameters.begin(), hypothesis.parameters.end(), parameter);
+  if (place == hypothesis.parameters.end() || hypothesis.minima.empty()) return "-";
+  return value_of(free, free.natural(hypothesis.minima.front().searched[place - hypothesis.parameters.begin()]));
 }
 
-std::string quasi_static_modulus(const ReadingResult& reading, const std::string& material) {
-  const auto found = std::find_if(reading.moduli.begin(), reading.moduli.end(),
+std::string quasi_static_modulus(const HypothesisResult& hypothesis, const std::string& material) {
+  const auto found = std::find_if(hypothesis.moduli.begin(), hypothesis.moduli.end(),
                                   [&](const MaterialModuli& m) { return m.material == material; });
-  const bool known = found != reading.moduli.end() && found->youngs_quasi_static_true;
+  const bool known = found != hypothesis.moduli.end() && found->youngs_quasi_static_true;
   return known ? pressure(found->youngs_quasi_static_true->value) : "-";
 }
 
@@ -32,43 +32,44 @@ std::string mean_deviation_of(const std::vector<Deviation>& sets, const std::str
   return found != sets.end() && found->shots > 0 ? percent(found->mean_absolute) : "-";
 }
 
-// Names of the sets of shots in all readings, in their order.
+// Names of the sets of shots in all hypotheses, in their order.
 std::vector<std::string> set_names(const CalibrationResult& result) {
   std::vector<std::string> names;
-  for (const ReadingResult& reading : result.readings)
-    for (const Deviation& set : reading.sets)
+  for (const HypothesisResult& hypothesis : result.hypotheses)
+    for (const Deviation& set : hypothesis.sets)
       if (std::find(names.begin(), names.end(), set.name) == names.end()) names.push_back(set.name);
   return names;
 }
 
 }  // namespace
 
-TextTable readings_side_by_side(const CalibrationJob& job, const CalibrationResult& result) {
-  TextTable table{"readings side by side", {{"reading"}}, {}};
+TextTable hypotheses_side_by_side(const CalibrationJob& job, const CalibrationResult& result) {
+  TextTable table{"hypotheses side by side", {{"hypothesis"}}, {}};
   const auto add = [&](const std::string& what, const auto& cell) {
     std::vector<std::string> row{what};
-    for (const ReadingResult& reading : result.readings) row.push_back(cell(reading));
+    for (const HypothesisResult& hypothesis : result.hypotheses) row.push_back(cell(hypothesis));
     table.rows.push_back(row);
   };
-  for (const ReadingResult& reading : result.readings) table.rows[0].push_back(fmt::format("{}", reading.reading + 1));
-  const auto choices = [&](const ReadingResult& reading) -> const CalibrationReading& {
-    return job.readings[reading.reading];
+  for (const HypothesisResult& hypothesis : result.hypotheses)
+    table.rows[0].push_back(fmt::format("{}", hypothesis.index + 1));
+  const auto choices = [&](const HypothesisResult& hypothesis) -> const Hypothesis& {
+    return job.hypotheses[hypothesis.index];
   };
-  add("mu means", [&](const ReadingResult& reading) { return word(choices(reading).convention); });
-  add("strain", [&](const ReadingResult& reading) { return word(choices(reading).measure); });
+  add("mu means", [&](const HypothesisResult& hypothesis) { return word(choices(hypothesis).convention); });
+  add("strain", [&](const HypothesisResult& hypothesis) { return word(choices(hypothesis).measure); });
   add("contact stiffness",
-      [&](const ReadingResult& reading) { return fmt::format("{:g}", choices(reading).contact_stiffness); });
+      [&](const HypothesisResult& hypothesis) { return fmt::format("{:g}", choices(hypothesis).contact_stiffness); });
   for (std::size_t k = 0; k < job.parameters.size(); ++k)
     add(job.parameters[k].free.name,
-        [&](const ReadingResult& reading) { return value_under(job, reading, static_cast<int>(k)); });
+        [&](const HypothesisResult& hypothesis) { return value_under(job, hypothesis, static_cast<int>(k)); });
   for (const CalibrationMaterial& material : job.materials)
     if (material.rate_factor)
       add("E of " + material.name,
-          [&](const ReadingResult& reading) { return quasi_static_modulus(reading, material.name); });
+          [&](const HypothesisResult& hypothesis) { return quasi_static_modulus(hypothesis, material.name); });
   for (const std::string& set : set_names(result))
-    add(set, [&](const ReadingResult& reading) { return mean_deviation_of(reading.sets, set); });
-  for (std::size_t r = 0; r < job.readings.size(); ++r)
-    table.notes.push_back(fmt::format("{}: {}", r + 1, job.readings[r].name));
+    add(set, [&](const HypothesisResult& hypothesis) { return mean_deviation_of(hypothesis.sets, set); });
+  for (std::size_t r = 0; r < job.hypotheses.size(); ++r)
+    table.notes.push_back(fmt::format("{}: {}", r + 1, job.hypotheses[r].name));
   table.notes.push_back("moduli as given; E = 3 mu, mu true, quasi-static; of sets the mean deviation of their depths");
   return table;
 }

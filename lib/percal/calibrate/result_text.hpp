@@ -17,13 +17,13 @@ struct TextTable {
 enum class ShotTables { where_few, all };
 inline constexpr std::size_t few_shots = 12;  // of a job, whose depths are shown without being asked for
 
-// All readings side by side, where there are several.
-TextTable readings_side_by_side(const CalibrationJob& job, const CalibrationResult& result);
+// All hypotheses side by side, where there are several.
+TextTable hypotheses_side_by_side(const CalibrationJob& job, const CalibrationResult& result);
 
-// Everything about one reading: parameters, moduli, depths, predictions beside the closed form's, fresh runs, where the
+// Everything about one hypothesis: parameters, moduli, depths, predictions beside the closed form's, fresh runs, where the
 // error comes from, what to measure next, and what a reader must know.
-std::vector<TextTable> reading_tables(const CalibrationJob& job, const CalibrationResult& result,
-                                      const ReadingResult& reading, ShotTables shots);
+std::vector<TextTable> hypothesis_tables(const CalibrationJob& job, const CalibrationResult& result,
+                                         const HypothesisResult& hypothesis, ShotTables shots);
 
 // The closed form's own constants.
 TextTable dehn_table(const CalibrationJob& job, const DehnResult& dehn);

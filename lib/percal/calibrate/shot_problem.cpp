@@ -25,7 +25,7 @@ ChosenBulk chosen_bulk(double pi4) {
 
 }  // namespace
 
-MaterialAt material_at(const CalibrationJob& job, const CalibrationReading& reading, int material,
+MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
                        const std::vector<double>& natural) {
   const CalibrationMaterial& m = job.materials[material];
   MaterialAt at{.density = m.density,
@@ -33,11 +33,11 @@ MaterialAt material_at(const CalibrationJob& job, const CalibrationReading& read
                 .mu_true = 0,
                 .alpha = number_at(m.alpha, natural),
                 .erosion_strain = number_at(m.erosion_strain, natural)};
-  at.mu_true = true_modulus(at.mu_as_given, at.alpha, reading.convention);
+  at.mu_true = true_modulus(at.mu_as_given, at.alpha, hypothesis.convention);
   return at;
 }
 
-Problem shot_problem(const CalibrationJob& job, const CalibrationReading& reading, const MeasuredShot& shot,
+Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
                      const MaterialAt& material, int elements_per_radius) {
   Scene scene;
   scene.source = job.file;
@@ -54,7 +54,7 @@ Problem shot_problem(const CalibrationJob& job, const CalibrationReading& readin
                   .erosion = StrainErosion{material.erosion_strain, StrainMeasure::engineering}};
   scene.mesh.elements_per_radius = elements_per_radius;
   scene.solver = job.solver;
-  scene.solver.contact_stiffness = reading.contact_stiffness;
+  scene.solver.contact_stiffness = hypothesis.contact_stiffness;
   return reduce(scene).problem;
 }
 

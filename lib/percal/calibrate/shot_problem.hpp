@@ -19,11 +19,11 @@ struct MaterialAt {
 };
 
 // Natural values of all parameters of the job, the held ones included.
-MaterialAt material_at(const CalibrationJob& job, const CalibrationReading& reading, int material,
+MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
                        const std::vector<double>& natural);
 
 // The run that answers for a shot. A sphere is rigid, as in every published run; K/mu keeps the Mach number below 0.3.
-Problem shot_problem(const CalibrationJob& job, const CalibrationReading& reading, const MeasuredShot& shot,
+Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
                      const MaterialAt& material, int elements_per_radius);
 
 // The emulator's inputs for a shot, and their derivatives with respect to ln mu_true, alpha, erosion strain and ln speed.

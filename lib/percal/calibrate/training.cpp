@@ -44,16 +44,16 @@ void refuse_several_widths(const CalibrationJob& job) {
 
 }  // namespace
 
-Training::Training(const CalibrationJob& job, std::vector<int> readings, Store* store, Campaign& campaign,
+Training::Training(const CalibrationJob& job, std::vector<int> hypotheses, Store* store, Campaign& campaign,
                    const CalibrationLimits& limits)
     : job_(job),
-      reading_(job.readings[readings.front()]),
-      readings_(std::move(readings)),
+      hypothesis_(job.hypotheses[hypotheses.front()]),
+      hypotheses_(std::move(hypotheses)),
       store_(store),
       campaign_(campaign),
       limits_(limits) {
-  report_.setting = fmt::format("contact stiffness {:g}", reading_.contact_stiffness);
-  report_.readings = readings_;
+  report_.setting = fmt::format("contact stiffness {:g}", hypothesis_.contact_stiffness);
+  report_.hypotheses = hypotheses_;
   refuse_several_widths(job_);
   take_foreign_runs();
 }
@@ -74,7 +74,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
     }
     const auto shots = static_cast<double>(job_.shots.size());
     const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
-    const MaterialAt material = material_at(job_, reading_, shot.material, natural);
+    const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
     const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
     const int mesh = fine ? job_.training.fine : job_.training.coarse;
     if (emulator_) {
@@ -82,7 +82,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
       const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
       if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
     }
-    batch.push_back(shot_problem(job_, reading_, shot, material, mesh));
+    batch.push_back(shot_problem(job_, hypothesis_, shot, material, mesh));
   }
   next_point_ += k;
   return batch;
@@ -177,7 +177,7 @@ void Training::take_foreign_runs() {
   for (const auto& parameter : job_.parameters) natural.push_back(std::sqrt(parameter.free.low * parameter.free.high));
   const MeasuredShot& shot = job_.shots.front();
   const std::string setting =
-      setting_of(shot_problem(job_, reading_, shot, material_at(job_, reading_, shot.material, natural), 8));
+      setting_of(shot_problem(job_, hypothesis_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
   const auto usable = [&](const StoredSphere& s) {
     return s.depth_over_radius && setting_of(s.problem) == setting &&
            s.problem.elements_per_radius >= std::min(job_.training.coarse, 6);

@@ -17,11 +17,11 @@ struct TooManyFailures {
   std::string why;
 };
 
-// One design for all readings with one setting of the solver. Runs of other jobs that the store has for this setting are taken in
+// One design for all hypotheses with one setting of the solver. Runs of other jobs that the store has for this setting are taken in
 // once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
 class Training {
  public:
-  Training(const CalibrationJob& job, std::vector<int> readings, Store* store, Campaign& campaign,
+  Training(const CalibrationJob& job, std::vector<int> hypotheses, Store* store, Campaign& campaign,
            const CalibrationLimits& limits);
 
   // Sobol points over the parameters' box and the job's shots; once there is an emulator, those alone whose depth is anywhere near
@@ -56,8 +56,8 @@ class Training {
   std::vector<Problem> space_filling_batch(int count);
 
   const CalibrationJob& job_;
-  CalibrationReading reading_;  // the setting: convention and held numbers do not matter here
-  std::vector<int> readings_;
+  Hypothesis hypothesis_;  // the setting: convention and held numbers do not matter here
+  std::vector<int> hypotheses_;
   Store* store_;
   Campaign& campaign_;
   const CalibrationLimits& limits_;

@@ -1,4 +1,6 @@
 // Two results of the same command side by side.
+#include "percal/page/comparison.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "percal/base/error.hpp"
 #include "percal/base/version.hpp"
-#include "percal/page/comparison.hpp"
 #include "percal/page/comparison_of.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/units/words.hpp"
@@ -33,7 +34,8 @@ void collect_inputs(const Json& value, const std::string& path, std::map<std::st
 std::map<std::string, std::string> inputs_of(const Json& result) {
   std::map<std::string, std::string> inputs;
   for (const char* key : {"percal", "version", "isa", "residual", "model", "signs", "convention", "sources", "level"})
-    if (!maybe(result, key).is_null() && !maybe(result, key).is_object()) collect_inputs(maybe(result, key), key, inputs);
+    if (!maybe(result, key).is_null() && !maybe(result, key).is_object())
+      collect_inputs(maybe(result, key), key, inputs);
   collect_inputs(maybe(result, "input"), "", inputs);
   return inputs;
 }
@@ -51,7 +53,8 @@ Table input_table(const Json& first, const Json& second) {
 
 Table line_table(const Json& first, const Json& second) {
   Table table{.caption = "Lines of the job that differ", .rows = {{"line", "A", "B"}}, .notes = {}};
-  for (const ChangedLine& line : changed_lines(text(maybe(maybe(first, "input"), "toml")), text(maybe(maybe(second, "input"), "toml")))) {
+  for (const ChangedLine& line :
+       changed_lines(text(maybe(maybe(first, "input"), "toml")), text(maybe(maybe(second, "input"), "toml")))) {
     const auto place = [](int n) { return n > 0 ? fmt::format("{}", n) : std::string("-"); };
     const bool same_place = line.first_line == line.second_line;
     table.rows.push_back(
@@ -171,7 +174,8 @@ Section words_section(const Json& first, const Json& second) {
   Table table{.caption = "Words that differ", .rows = {{"", "A", "B"}}, .notes = {}};
   for (const auto& [key, value] : first.items())
     if (value.is_string() && key != "percal" && key != "isa" && text(maybe(second, key)) != text(maybe(first, key)))
-      table.rows.push_back({key, text(maybe(first, key)), text(maybe(second, key)).empty() ? "-" : text(maybe(second, key))});
+      table.rows.push_back(
+          {key, text(maybe(first, key)), text(maybe(second, key)).empty() ? "-" : text(maybe(second, key))});
   add(section, std::move(table));
   const auto a = texts(maybe(first, "findings")), b = texts(maybe(second, "findings"));
   const auto only = [](const std::vector<std::string>& mine, const std::vector<std::string>& other,
@@ -245,11 +249,10 @@ Page compared(const ReadResult& first, const ReadResult& second) {
   Page page{
       .title = "Two results of percal " + command, .summary = summary_of(numbers, command, inputs), .sections = {}};
   Section which{.id = "which", .title = "The results", .blocks = {}};
-  add(which, Table{.caption = "",
-                   .rows = {{"", "file", "title"},
-                            {"A", first.file, first.page.title},
-                            {"B", second.file, second.page.title}},
-                   .notes = {}});
+  add(which,
+      Table{.caption = "",
+            .rows = {{"", "file", "title"}, {"A", first.file, first.page.title}, {"B", second.file, second.page.title}},
+            .notes = {}});
   add(page, which);
   add(page, asked);
   add(page, numbers_section(command, numbers));

@@ -50,7 +50,8 @@ std::optional<double> error_beside(const Json& object, const std::string& key) {
     if (const auto error = error_of_interval(maybe(object, "interval" + unit))) return error;
   if (name == "value")
     if (const auto error = error_of_interval(object)) return error;
-  const auto solver = number(maybe(object, "relative_error_solver")), data = number(maybe(object, "relative_error_data"));
+  const auto solver = number(maybe(object, "relative_error_solver")),
+             data = number(maybe(object, "relative_error_data"));
   if (name.starts_with("mu_") && (solver || data))
     return std::abs(*number(maybe(object, key))) * std::hypot(solver.value_or(0), data.value_or(0));
   return std::nullopt;

@@ -67,8 +67,8 @@ std::string cell_of(const std::vector<double>& values, std::size_t i) {
 Table points_of(const Figure& figure) {
   const Chart& chart = figure.chart;
   Table table{.caption = "points: " + figure.chart.title,
-                  .rows = {{"series", chart.x.label, chart.y.label, "low", "high"}},
-                  .notes = {}};
+              .rows = {{"series", chart.x.label, chart.y.label, "low", "high"}},
+              .notes = {}};
   for (const Series& one : chart.series)
     for (std::size_t i = 0; i < one.x.size(); ++i)
       table.rows.push_back({one.name, cell_of(one.x, i), cell_of(one.y, i), cell_of(one.low, i), cell_of(one.high, i)});

@@ -16,7 +16,7 @@ std::string pressure(const std::optional<double>& pascals, int digits = 4);
 std::string length(const std::optional<double>& metres, int digits = 4);
 std::string percent(const std::optional<double>& share, int decimals = 1);         // "2.3 %"
 std::string signed_percent(const std::optional<double>& share, int decimals = 1);  // "+2.3 %"
-std::string rough_percent(const std::optional<double>& share);  // two digits: "0.21 %", "35 %", "< 0.01 %"
+std::string rough_percent(const std::optional<double>& share);               // two digits: "0.21 %", "35 %", "< 0.01 %"
 std::string with_error(const std::string& value, const std::string& error);  // "value ± error", or the value alone
 std::string counted(long n, const std::string& what);                        // "1 run", "3 runs"
 

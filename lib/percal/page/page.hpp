@@ -26,7 +26,8 @@ struct List {
 // The only table type: cells are words, numbers already have their units.
 struct Table {
   std::string caption;
-  std::vector<std::vector<std::string>> rows;  // the first row is the header, empty cells: none; the first column names the row
+  std::vector<std::vector<std::string>>
+      rows;  // the first row is the header, empty cells: none; the first column names the row
   std::vector<std::string> notes;
 };
 

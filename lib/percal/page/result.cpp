@@ -88,20 +88,24 @@ std::vector<std::string> texts(const Json& array) {
   return all;
 }
 
+const Json& with_unit(const Json& object, const std::string& key) { return at(object, key + unit_beside(object, key)); }
+
 std::string value_words(const Json& object, const std::string& key, int digits) {
   const std::string name = key + unit_beside(object, key);
   return quantity(number(object, name), dimension_of_key(name), digits);
 }
 
-std::string interval_words(const Json& object, const std::string& key, int digits) {
-  const std::string name = key + unit_beside(object, key);
-  const Json& interval = at(object, name);
+std::string interval_words(const Json& interval, const Dimension& dimension, int digits) {
   const auto low = number(interval, "low"), high = number(interval, "high");
   if (!low || !high) return absent;
   if (*low == *high) return "held";
-  const auto end = [&](const std::optional<double>& value) { return quantity(value, dimension_of_key(name), digits); };
+  const auto end = [&](const std::optional<double>& value) { return quantity(value, dimension, digits); };
   return (yes(interval, "low_open") ? "below " : "") + end(low) + " to " + (yes(interval, "high_open") ? "above " : "") +
          end(high);
+}
+std::string interval_words(const Json& object, const std::string& key, int digits) {
+  const std::string name = key + unit_beside(object, key);
+  return interval_words(at(object, name), dimension_of_key(name), digits);
 }
 
 std::string level_words(const Json& object) { return shown(100 * number_or(object, "level", NAN), 3) + " %"; }

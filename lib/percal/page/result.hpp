@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "percal/units/quantity.hpp"
+
 namespace percal::page {
 
 using Json = nlohmann::json;
@@ -56,11 +58,15 @@ std::string text(const Json& value);
 std::vector<double> numbers(const Json& array);  // NaN for an element that is none
 std::vector<std::string> texts(const Json& array);
 
-// The number under KEY, KEY_Pa or KEY with another unit, in words with that unit: "1.2 MPa", "0.58"; "-" of null.
+// The value under KEY, or under KEY with a unit behind it: "value_Pa".
+const Json& with_unit(const Json& object, const std::string& key);
+
+// That number in words, with its unit: "1.2 MPa", "0.58"; "-" of null.
 std::string value_words(const Json& object, const std::string& key, int digits = 3);
 
-// "1.2 MPa to 3.4 MPa" of {low, high, low_open, high_open} under KEY, KEY_Pa or KEY with another unit; an end that a bound of the
-// search cut off is said to be: "below 1.2 MPa to above 3.4 MPa".
+// "1.2 MPa to 3.4 MPa" of an interval {low, high, low_open, high_open}, by itself or under KEY or KEY with a unit; an end that a bound
+// of the search cut off is said to be: "below 1.2 MPa to above 3.4 MPa".
+std::string interval_words(const Json& interval, const Dimension& dimension, int digits = 3);
 std::string interval_words(const Json& object, const std::string& key, int digits = 3);
 
 // "95 %": the level of confidence under `level`.

@@ -170,7 +170,8 @@ std::string as_text(const Section& section, const TextStyle& style) {
 }
 
 std::string as_text(const Page& page, const TextStyle& style) {
-  std::string text = bold(page.title, style) + "\n" + (page.summary.empty() ? "" : sentence(page.summary, style)) + "\n";
+  std::string text =
+      bold(page.title, style) + "\n" + (page.summary.empty() ? "" : sentence(page.summary, style)) + "\n";
   for (const Section& section : page.sections)
     if (section.detail == Detail::answer || style.detail == Detail::more) text += as_text(section, style);
   return text;

@@ -16,7 +16,7 @@ from ._card import CardMaterial, card_curve, card_of, read_card, solvers, uniaxi
 from ._core import __version__, default_store_path, instruction_level
 from ._fit import Fit, Interval, Minimum, fit, fit_csv, nominal_stress
 from ._impact import Impact, Scene, impact
-from ._jobs import Calibration, Identification, Reading, Ridge, Scaling, calibrate, identify, scale
+from ._jobs import Calibration, Identification, Hypothesis, Ridge, Scaling, calibrate, identify, scale
 
 __all__ = [
     "Calibration",
@@ -26,7 +26,7 @@ __all__ = [
     "Impact",
     "Interval",
     "Minimum",
-    "Reading",
+    "Hypothesis",
     "Ridge",
     "Scaling",
     "Scene",

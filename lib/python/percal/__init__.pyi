@@ -160,7 +160,7 @@ class Ridge:
     contours: list[_Array]
     def __init__(self, entry: dict[str, Any]) -> None: ...
 
-class Reading:
+class Hypothesis:
     name: str
     parameters: dict[str, float]
     intervals: dict[str, Interval | None]
@@ -173,7 +173,7 @@ class Reading:
     def __init__(self, entry: dict[str, Any]) -> None: ...
 
 class Calibration(_Result):
-    readings: list[Reading]
+    hypotheses: list[Hypothesis]
     findings: list[str]
     cost: dict[str, Any]
     def __init__(self, result: dict[str, Any]) -> None: ...

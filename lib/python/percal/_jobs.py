@@ -94,7 +94,7 @@ class Ridge:
         return f"Ridge({self.y_parameter} over {self.x_parameter}, {self.rise.shape[0]} x {self.rise.shape[1]})"
 
 
-class Reading:
+class Hypothesis:
     """One way to read the data, and what it gives.
 
     parameters: {name: value}, intervals: {name: Interval}, identifiable: {name: bool}, SI; correlation: array in their order;
@@ -125,21 +125,21 @@ class Reading:
             if self.intervals[name]:
                 text += " " + between(self.intervals[name], unit)
             parts.append(text + ("" if self.identifiable[name] else " not determined"))
-        return f"Reading({self.name}: {', '.join(parts)})"
+        return f"Hypothesis({self.name}: {', '.join(parts)})"
 
 
 class Calibration(_Result):
-    """A calibration: the keys of its result.json, and `readings`, `findings` and `cost` ready to use. No readings where too many
+    """A calibration: the keys of its result.json, and `hypotheses`, `findings` and `cost` ready to use. No hypotheses where too many
     runs failed; the findings say so."""
 
     def __init__(self, result):
         super().__init__(result)
-        self.readings = [Reading(entry) for entry in result["readings"]]
+        self.hypotheses = [Hypothesis(entry) for entry in result["hypotheses"]]
         self.findings = result["findings"]
         self.cost = result["cost"]
 
     def __repr__(self):
-        return "Calibration(" + "; ".join(repr(reading) for reading in self.readings) + ")"
+        return "Calibration(" + "; ".join(repr(hypothesis) for hypothesis in self.hypotheses) + ")"
 
 
 def _seconds(budget):

@@ -1,4 +1,4 @@
-// What concerns all readings of a calibration: the ridges, predictions beside Dehn's closed form, the emulators.
+// What concerns all hypotheses of a calibration: the ridges, predictions beside Dehn's closed form, the emulators.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,19 +12,19 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
-// Moduli that have a ridge in some reading, in the order of the data.
+// Moduli that have a ridge in some hypothesis, in the order of the data.
 std::vector<std::string> moduli_with_ridge(const Json& result) {
   std::vector<std::string> names;
-  for (const Json& reading : list(result, "readings"))
-    for (const Json& ridge : list(reading, "ridges"))
+  for (const Json& hypothesis : list(result, "hypotheses"))
+    for (const Json& ridge : list(hypothesis, "ridges"))
       if (const std::string name = text(ridge, "y_parameter");
           std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
   return names;
 }
 
-double best_value(const Json& reading, const std::string& parameter) {
-  for (const Json& one : list(reading, "parameters"))
+double best_value(const Json& hypothesis, const std::string& parameter) {
+  for (const Json& one : list(hypothesis, "parameters"))
     if (text(one, "name") == parameter) return number(one, "value_Pa").value_or(number_or(one, "value", nowhere));
   return nowhere;
 }
@@ -40,7 +40,7 @@ struct Extent {
 
 Figure ridge_figure(const Json& result, const std::string& modulus, int figure_number) {
   Extent pascals;
-  for (const Json& reading : list(result, "readings")) pascals.take(best_value(reading, modulus));
+  for (const Json& hypothesis : list(result, "hypotheses")) pascals.take(best_value(hypothesis, modulus));
   const ShownUnit unit = pressure_unit(pascals.low);
   Chart chart{.title = "What the data allow: " + modulus + " over the erosion strain",
               .x = {.label = "erosion strain (engineering)"},
@@ -48,9 +48,9 @@ Figure ridge_figure(const Json& result, const std::string& modulus, int figure_n
   std::string finding;
   Extent drawn;
   int colour = 0;
-  for (const Json& reading : list(result, "readings")) {
-    const std::string name = text(reading, "name");
-    for (const Json& ridge : list(reading, "ridges")) {
+  for (const Json& hypothesis : list(result, "hypotheses")) {
+    const std::string name = text(hypothesis, "name");
+    for (const Json& ridge : list(hypothesis, "ridges")) {
       if (text(ridge, "y_parameter") != modulus) continue;
       Extent range;
       bool first = true;
@@ -66,7 +66,7 @@ Figure ridge_figure(const Json& result, const std::string& modulus, int figure_n
         add(chart, std::move(line));
       }
       Series best = series(first ? name : "", Mark::points, colour);
-      add_point(best, best_value(reading, text(ridge, "x_parameter")), best_value(reading, modulus) / unit.size);
+      add_point(best, best_value(hypothesis, text(ridge, "x_parameter")), best_value(hypothesis, modulus) / unit.size);
       add(chart, std::move(best));
       if (range.low < range.high)
         finding += fmt::format(" {}: from {} to {}.", name, pressure(range.low, 3), pressure(range.high, 3));
@@ -112,7 +112,7 @@ Section ridges_section(const Json& result) {
   if (!moduli.empty())
     add_sentence(
         section,
-        "Outlines of the 95 % regions and best points of each reading, all other parameters fitted anew at every "
+        "Outlines of the 95 % regions and best points of each hypothesis, all other parameters fitted anew at every "
         "point. Where a region is long and slanted, modulus and erosion strain change against each other and the "
         "data hardly tell.");
   for (const std::string& modulus : moduli) add(section, ridge_figure(result, modulus, ++n));
@@ -121,22 +121,22 @@ Section ridges_section(const Json& result) {
 
 Section predictions_section(const Json& result) {
   Section section{.id = "predictions", .title = "Predicted from the others", .blocks = {}};
-  const Json& readings = list(result, "readings");
+  const Json& hypotheses = list(result, "hypotheses");
   Table table{.caption = "Mean size of the deviations of depths that the fit did not see",
-                  .rows = {{"validation", "predicted", "goal", "Dehn's closed form"}},
-                  .notes = {}};
-  for (std::size_t n = 1; n <= readings.size(); ++n) table.rows[0].push_back(fmt::format("reading {}", n));
+              .rows = {{"validation", "predicted", "goal", "Dehn's closed form"}},
+              .notes = {}};
+  for (std::size_t n = 1; n <= hypotheses.size(); ++n) table.rows[0].push_back(fmt::format("hypothesis {}", n));
   int better = 0, compared = 0;
   for (const char* kind : {"cross_validations", "leave_one_out"}) {
     std::vector<std::string> names;
-    for (const Json& reading : readings)
-      for (const Json& one : list(reading, kind))
+    for (const Json& hypothesis : hypotheses)
+      for (const Json& one : list(hypothesis, kind))
         if (std::find(names.begin(), names.end(), text(one, "name")) == names.end()) names.push_back(text(one, "name"));
     for (const std::string& name : names) {
       const Json& dehn = by_name(list(at(result, "dehn"), kind), name);
       std::vector<std::string> row{name, "-", "-", prediction_words(dehn)};
-      for (const Json& reading : readings) {
-        const Json& one = by_name(list(reading, kind), name);
+      for (const Json& hypothesis : hypotheses) {
+        const Json& one = by_name(list(hypothesis, kind), name);
         row.push_back(prediction_words(one));
         if (const auto shots = number(at(one, "prediction"), "shots")) row[1] = shown(shots);
         if (const auto goal = number(one, "goal")) row[2] = percent(goal);
@@ -154,8 +154,8 @@ Section predictions_section(const Json& result) {
         "The finite-element model predicts better than Dehn's closed form in {} of {} cases.", better, compared));
   add(section, std::move(table));
   Table dehn{.caption = "Dehn's closed form, fitted to the same shots",
-                 .rows = {{"parameter", "value", level_words(result) + " interval"}},
-                 .notes = {}};
+             .rows = {{"parameter", "value", level_words(result) + " interval"}},
+             .notes = {}};
   for (const Json& one : list(at(result, "dehn"), "parameters"))
     dehn.rows.push_back({text(one, "name"), value_words(one, "value"), interval_words(one, "interval")});
   add(section, std::move(dehn));
@@ -168,16 +168,16 @@ Section emulators_section(const Json& result) {
               .x = {.label = "processor time of the runs, s", .logarithmic = true},
               .y = {.label = "error of a depth, %", .logarithmic = true}};
   Table table{.caption = "Emulators",
-                  .rows = {{""},
-                           {"runs done"},
-                           {"runs from the store"},
-                           {"leave-one-out error"},
-                           {"within its 95 %"},
-                           {"solver's noise"},
-                           {"error at the optimum"},
-                           {"data's error"},
-                           {"stopped because"}},
-                  .notes = {}};
+              .rows = {{""},
+                       {"runs done"},
+                       {"runs from the store"},
+                       {"leave-one-out error"},
+                       {"within its 95 %"},
+                       {"solver's noise"},
+                       {"error at the optimum"},
+                       {"data's error"},
+                       {"stopped because"}},
+              .notes = {}};
   int colour = 0;
   std::string finding;
   for (const Json& one : list(result, "emulators")) {
@@ -211,11 +211,10 @@ Section emulators_section(const Json& result) {
     add(chart, points);
     add(chart, of_data);
   }
-  add(section,
-      Figure{.name = "error_vs_time",
-                 .caption = "What a depth's error was after each round of runs." + finding,
-                 .alt = "Error of the emulators against processor time, falling from round to round." + finding,
-                 .chart = chart});
+  add(section, Figure{.name = "error_vs_time",
+                      .caption = "What a depth's error was after each round of runs." + finding,
+                      .alt = "Error of the emulators against processor time, falling from round to round." + finding,
+                      .chart = chart});
   if (colour > 0) add(section, std::move(table));
   return section;
 }

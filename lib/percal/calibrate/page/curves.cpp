@@ -1,4 +1,4 @@
-// A reading's curves over the measured ones, with the band in which one more point would lie, and what is left.
+// A hypothesis's curves over the measured ones, with the band in which one more point would lie, and what is left.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -90,17 +90,17 @@ void add_figures(const Json& result, const Json& curve, const std::vector<CurveP
 
 }  // namespace
 
-std::vector<Figure> curve_figures(const Json& result, const Json& reading, int number_of_reading) {
+std::vector<Figure> curve_figures(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   std::vector<Figure> figures;
   const Json& curves = list(at(result, "data"), "curves");
   int n = 0;
-  for (const Json& ours : list(reading, "curves")) {
+  for (const Json& ours : list(hypothesis, "curves")) {
     const auto index = static_cast<std::size_t>(number_or(ours, "curve", -1));
     if (index >= curves.size()) continue;
     for (const std::string& deformation : deformations_of(curves[index])) {
       const auto points = points_of(curves[index], ours, deformation);
       if (points.size() > 1)
-        add_figures(result, curves[index], points, deformation, fmt::format("curve_{}_{}", number_of_reading, ++n),
+        add_figures(result, curves[index], points, deformation, fmt::format("curve_{}_{}", number_of_hypothesis, ++n),
                     figures);
     }
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
-// The shot of the data that an entry of a reading belongs to.
+// The shot of the data that an entry of a hypothesis belongs to.
 const Json& datum_of(const Json& result, const Json& entry) {
   static const Json nothing = nullptr;
   const Json& shots = list(at(result, "data"), "shots");
@@ -39,19 +39,19 @@ std::vector<std::string> each_once(const Json& shots, const char* key) {
   return all;
 }
 
-// Every shot, measured and as each reading has it.
+// Every shot, measured and as each hypothesis has it.
 Table shot_table(const Json& result) {
-  const Json& readings = list(result, "readings");
+  const Json& hypotheses = list(result, "hypotheses");
   Table table{.caption = "Shots: model over measured, less 1", .rows = {{"shot", "measured"}}, .notes = {}};
-  for (std::size_t n = 1; n <= readings.size(); ++n) table.rows[0].push_back(fmt::format("reading {}", n));
+  for (std::size_t n = 1; n <= hypotheses.size(); ++n) table.rows[0].push_back(fmt::format("hypothesis {}", n));
   const Json& shots = list(at(result, "data"), "shots");
   for (std::size_t i = 0; i < shots.size(); ++i) {
     const auto measured = number(shots[i], "measured_m");
     std::vector<std::string> row{text(shots[i], "label"),
                                  (measured ? "" : "at least ") + length(measured_depth(shots[i]))};
-    for (const Json& reading : readings) {
+    for (const Json& hypothesis : hypotheses) {
       std::string cell = "-";
-      for (const Json& entry : list(reading, "shots"))
+      for (const Json& entry : list(hypothesis, "shots"))
         if (number(entry, "shot") == static_cast<double>(i))
           cell = (measured ? signed_percent(number(entry, "deviation")) : length(number(entry, "depth_m"))) +
                  (yes(entry, "fitted") ? "" : ", predicted");
@@ -65,7 +65,7 @@ Table shot_table(const Json& result) {
 
 }  // namespace
 
-Figure depths_figure(const Json& result, const Json& reading, int number_of_reading) {
+Figure depths_figure(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   Chart chart{.title = "Depths: the model's against the measured",
               .x = {.label = "measured, radii", .logarithmic = true},
               .y = {.label = "model, radii; interval of one shot", .logarithmic = true}};
@@ -74,7 +74,7 @@ Figure depths_figure(const Json& result, const Json& reading, int number_of_read
   for (const std::string& set : each_once(list(at(result, "data"), "shots"), "set")) {
     Series fitted = series(set + ", fitted", Mark::points_with_bars, colour),
            predicted = series(set + ", predicted", Mark::points_with_bars, colour + 1);
-    for (const Json& entry : list(reading, "shots")) {
+    for (const Json& entry : list(hypothesis, "shots")) {
       const Json& datum = datum_of(result, entry);
       if (text(datum, "set") != set) continue;
       const double radius = number_or(datum, "radius_m", nowhere), measured = measured_depth(entry) / radius;
@@ -105,7 +105,7 @@ Figure depths_figure(const Json& result, const Json& reading, int number_of_read
     finding = fmt::format("The fitted depths deviate by {} in the mean; {} of {} lie in the interval of one shot.",
                           percent(sum / fitted_shots), within, fitted_shots);
   return {
-      .name = fmt::format("depths_{}", number_of_reading),
+      .name = fmt::format("depths_{}", number_of_hypothesis),
       .caption = finding + " Dashed: the same depth.",
       .alt = fmt::format("Model's depths against measured ones, from {:.3g} to {:.3g} radii, about the diagonal. {}",
                          low, high, finding),
@@ -131,12 +131,12 @@ Section impact_parameter_section(const Json& result) {
                 .y = {.label = "depth, " + unit.name, .low = 0}};
     int colour = 1;
     std::string finding;
-    for (const Json& reading : list(result, "readings")) {
-      Series model = series(text(reading, "name"), colour == 1 ? Mark::points_with_bars : Mark::points, colour);
+    for (const Json& hypothesis : list(result, "hypotheses")) {
+      Series model = series(text(hypothesis, "name"), colour == 1 ? Mark::points_with_bars : Mark::points, colour);
       ++colour;
       double sum = 0;
       int count = 0;
-      for (const Json& entry : list(reading, "shots")) {
+      for (const Json& entry : list(hypothesis, "shots")) {
         const Json& datum = datum_of(result, entry);
         if (text(datum, "material") != material) continue;
         const double x = impact_parameter(datum), depth = number_or(entry, "depth_m", nowhere) / unit.size;
@@ -163,13 +163,13 @@ Section impact_parameter_section(const Json& result) {
     add(chart, std::move(least));
     add(section,
         Figure{.name = fmt::format("impact_parameter_{}", ++n),
-                   .caption = fmt::format(
-                       "Shots into {}, against density times speed times radius of the sphere.{} Bars: where "
-                       "one such shot would lie.",
-                       material, finding),
-                   .alt = fmt::format("Depth against the impact parameter for {} different shots into {}, rising.{}",
-                                      places.size(), material, finding),
-                   .chart = chart});
+               .caption =
+                   fmt::format("Shots into {}, against density times speed times radius of the sphere.{} Bars: where "
+                               "one such shot would lie.",
+                               material, finding),
+               .alt = fmt::format("Depth against the impact parameter for {} different shots into {}, rising.{}",
+                                  places.size(), material, finding),
+               .chart = chart});
   }
   add(section, shot_table(result));
   return section;

@@ -1,10 +1,11 @@
 // The page of `percal calibrate`.
+#include "percal/calibrate/page/page.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "percal/calibrate/page/page.hpp"
 #include "percal/calibrate/page/parts.hpp"
 #include "percal/page/numbers.hpp"
 
@@ -14,19 +15,19 @@ using namespace page;
 
 namespace {
 
-// The materials' moduli of a reading that the data speak of: quasi-static where a rate factor is known.
+// The materials' moduli of a hypothesis that the data speak of: quasi-static where a rate factor is known.
 struct MainModulus {
   std::string words;
   const Json* estimate;
 };
-std::vector<MainModulus> main_moduli(const Json& reading) {
+std::vector<MainModulus> main_moduli(const Json& hypothesis) {
   std::vector<MainModulus> all;
-  for (const Json& one : list(reading, "moduli")) {
+  for (const Json& one : list(hypothesis, "moduli")) {
     const Json& youngs = at(one, "youngs_quasi_static_true");
     if (youngs.is_object()) all.push_back({"quasi-static E of " + text(one, "material"), &youngs});
   }
   if (all.empty())
-    for (const Json& one : list(reading, "moduli")) {
+    for (const Json& one : list(hypothesis, "moduli")) {
       all.push_back({"mu of " + text(one, "material"), &at(one, "mu_true")});
       break;
     }
@@ -34,15 +35,15 @@ std::vector<MainModulus> main_moduli(const Json& reading) {
 }
 
 std::string summary_of(const Json& result) {
-  const Json& readings = list(result, "readings");
-  if (readings.empty()) return "No reading could be fitted.";
+  const Json& hypotheses = list(result, "hypotheses");
+  if (hypotheses.empty()) return "No hypothesis could be fitted.";
   std::string summary;
-  for (const MainModulus& modulus : main_moduli(readings.front()))
+  for (const MainModulus& modulus : main_moduli(hypotheses.front()))
     summary += fmt::format("{}{} {} ({})", summary.empty() ? "" : "; ", modulus.words,
                            value_words(*modulus.estimate, "value"), interval_words(*modulus.estimate, "interval"));
-  return fmt::format("{}: true moduli with {} intervals, by the reading \"{}\"{}.", summary, level_words(result),
-                     text(readings.front(), "name"),
-                     readings.size() > 1 ? fmt::format(", the first of {}", readings.size()) : "");
+  return fmt::format("{}: true moduli with {} intervals, by the hypothesis \"{}\"{}.", summary, level_words(result),
+                     text(hypotheses.front(), "name"),
+                     hypotheses.size() > 1 ? fmt::format(", the first of {}", hypotheses.size()) : "");
 }
 
 Section asked_section(const Json& result) {
@@ -54,29 +55,29 @@ Section asked_section(const Json& result) {
   for (const Json& curve : curves)
     if (yes(curve, "synthetic")) synthetic += (synthetic.empty() ? "" : ", ") + text(curve, "name");
   add_sentence(section,
-                fmt::format("Which material gives these {} depths ({} of them fitted) and {} curves{}?", shots.size(),
-                            used, curves.size(), synthetic.empty() ? "" : " (synthetic: " + synthetic + ")"));
+               fmt::format("Which material gives these {} depths ({} of them fitted) and {} curves{}?", shots.size(),
+                           used, curves.size(), synthetic.empty() ? "" : " (synthetic: " + synthetic + ")"));
   Table parameters{.caption = "What was looked for",
-                       .rows = {{"parameter", "kind", "searched from", "to", "expected beforehand"}},
-                       .notes = {}};
+                   .rows = {{"parameter", "kind", "searched from", "to", "expected beforehand"}},
+                   .notes = {}};
   for (const Json& one : list(data, "parameters")) {
     const std::string prior = value_words(one, "prior");
     parameters.rows.push_back(
         {text(one, "name"), text(one, "kind"), value_words(one, "low"), value_words(one, "high"), prior});
   }
   add(section, std::move(parameters));
-  Table readings{.caption = "How the data were read",
-                     .rows = {{"", "reading", "mu means", "contact stiffness", "held"}},
-                     .notes = {}};
+  Table hypotheses{.caption = "How the data were read",
+                   .rows = {{"", "hypothesis", "mu means", "contact stiffness", "held"}},
+                   .notes = {}};
   int n = 0;
-  for (const Json& one : list(result, "readings")) {
+  for (const Json& one : list(result, "hypotheses")) {
     std::string held;
     for (const Json& value : list(one, "held"))
       held += fmt::format("{}{} = {}", held.empty() ? "" : ", ", text(value, "name"), value_words(value, "value"));
-    readings.rows.push_back({shown(++n), text(one, "name"), text(one, "convention"),
-                             shown(number(one, "contact_stiffness")), held.empty() ? "-" : held});
+    hypotheses.rows.push_back({shown(++n), text(one, "name"), text(one, "convention"),
+                               shown(number(one, "contact_stiffness")), held.empty() ? "-" : held});
   }
-  add(section, std::move(readings));
+  add(section, std::move(hypotheses));
   return section;
 }
 
@@ -87,20 +88,20 @@ std::string estimate_words(const Json& estimate) {
   return interval == "-" ? value : fmt::format("{} ({})", value, interval);
 }
 
-// One material after the other, every reading beside the others. `first` and `second`: keys of a modulus true and as MU1.
+// One material after the other, every hypothesis beside the others. `first` and `second`: keys of a modulus true and as MU1.
 Table modulus_table(const Json& result, const std::string& caption, const std::vector<std::string>& header,
-                        const std::string& first, const std::string& second) {
+                    const std::string& first, const std::string& second) {
   Table table{.caption = caption, .rows = {header}, .notes = {}};
   std::vector<std::string> materials;
-  for (const Json& reading : list(result, "readings"))
-    for (const Json& one : list(reading, "moduli"))
+  for (const Json& hypothesis : list(result, "hypotheses"))
+    for (const Json& one : list(hypothesis, "moduli"))
       if (std::find(materials.begin(), materials.end(), text(one, "material")) == materials.end())
         materials.push_back(text(one, "material"));
   for (const std::string& material : materials) {
     int n = 0;
-    for (const Json& reading : list(result, "readings")) {
+    for (const Json& hypothesis : list(result, "hypotheses")) {
       ++n;
-      for (const Json& one : list(reading, "moduli"))
+      for (const Json& one : list(hypothesis, "moduli"))
         if (text(one, "material") == material && at(one, first).is_object())
           table.rows.push_back({material, shown(n), estimate_words(at(one, first)), estimate_words(at(one, second)),
                                 value_words(one, "curve_mu_true")});
@@ -112,14 +113,14 @@ Table modulus_table(const Json& result, const std::string& caption, const std::v
 Section answer_section(const Json& result) {
   Section section{.id = "answer", .title = "What came out", .blocks = {}};
   Table rate = modulus_table(result, "Shear modulus at impact rate, with its " + level_words(result) + " interval",
-                                 {"material", "reading", "true", "as LS-DYNA's MU1 = 2 mu/alpha", "its curve's, true"},
-                                 "mu_true", "mu_over_alpha");
+                             {"material", "hypothesis", "true", "as LS-DYNA's MU1 = 2 mu/alpha", "its curve's, true"},
+                             "mu_true", "mu_over_alpha");
   rate.notes.push_back(
       "\"below\" and \"above\": the interval is cut off by a bound of the search, the data say nothing there.");
   add(section, std::move(rate));
-  Table youngs = modulus_table(
-      result, "Young's modulus, quasi-static, with its " + level_words(result) + " interval",
-      {"material", "reading", "true: 3 mu", "3 MU1"}, "youngs_quasi_static_true", "youngs_quasi_static_over_alpha");
+  Table youngs = modulus_table(result, "Young's modulus, quasi-static, with its " + level_words(result) + " interval",
+                               {"material", "hypothesis", "true: 3 mu", "3 MU1"}, "youngs_quasi_static_true",
+                               "youngs_quasi_static_over_alpha");
   for (auto& row : youngs.rows) row.resize(4);
   add(section, std::move(youngs));
   return section;
@@ -136,9 +137,9 @@ page::Page calibrate_page(const page::Json& result) {
   add(page, impact_parameter_section(result));
   add(page, predictions_section(result));
   int n = 0;
-  for (const Json& reading : list(result, "readings")) {
+  for (const Json& hypothesis : list(result, "hypotheses")) {
     ++n;
-    add(page, reading_section(result, reading, n));
+    add(page, hypothesis_section(result, hypothesis, n));
   }
   add(page, emulators_section(result));
   add(page, provenance_section(result));

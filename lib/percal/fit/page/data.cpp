@@ -9,13 +9,6 @@
 
 namespace percal::page {
 
-std::string interval_words(const Json& parameter, const Dimension& dimension) {
-  const auto low = number(parameter, "low"), high = number(parameter, "high");
-  if (!low || !high) return "-";
-  return fmt::format("{}{} to {}{}", quantity(low, dimension), yes(parameter, "low_open") ? " (open)" : "",
-                     quantity(high, dimension), yes(parameter, "high_open") ? " (open)" : "");
-}
-
 Table sources_table(const Json& result) {
   Table table{.caption = "The curves", .rows = {{"file", "x", "stress", "points", "SHA-256"}}, .notes = {}};
   for (const Json& source : list(result, "sources")) {

@@ -42,7 +42,7 @@ Series points_series(const PageCurve& curve, int colour, const StressUnit& unit)
   const bool bars = std::any_of(points.error.begin(), points.error.end(), [](double e) { return std::isfinite(e); });
   Series drawn = series(points.name + ": points", bars ? Mark::points_with_bars : Mark::points, colour);
   for (std::size_t i = 0; i < points.stress.size(); ++i) {
-    const double stress = points.stress[i] / unit.size, error = points.error[i] / unit.size;
+    const double stress = points.stress[i] / unit.pascals, error = points.error[i] / unit.pascals;
     if (bars)
       add_bar(drawn, points.strained[i].amount, stress, stress - error, stress + error);
     else
@@ -66,7 +66,7 @@ void add_curve(Chart& chart, const PageCurve& curve, int colour, const StressUni
   Series line = series(curve.name, Mark::line, colour), band = series("", Mark::band, colour);
   for (const double amount : spaced(low, high, 81)) {
     const Strained strained{curve.points.deformation, amount};
-    const double stress = curve.stress(strained) / unit.size, half = curve.half_width(strained) / unit.size;
+    const double stress = curve.stress(strained) / unit.pascals, half = curve.half_width(strained) / unit.pascals;
     add_point(line, amount, stress);
     if (std::isfinite(half)) add_bar(band, amount, stress, stress - half, stress + half);
   }
@@ -90,7 +90,7 @@ std::vector<PageCurve> joined(const std::vector<const PageCurve*>& curves) {
 }
 
 Figure curve_figure(Deformation deformation, const std::vector<const PageCurve*>& curves,
-                        const std::string& band_words) {
+                    const std::string& band_words) {
   const StressUnit unit = unit_of(curves);
   Figure figure;
   figure.name = "curve_" + word(deformation);
@@ -142,7 +142,7 @@ Figure residual_figure(const std::vector<PageCurve>& curves, const std::string& 
   for (std::size_t k = 0; k < curves.size(); ++k) {
     Series drawn = series(curves[k].points.name, Mark::points, static_cast<int>(k) + 1);
     for (std::size_t i = 0; i < curves[k].points.stress.size(); ++i) {
-      const double residual = residual_of(curves[k], i, kind) / unit.size, x = curves[k].points.strained[i].amount;
+      const double residual = residual_of(curves[k], i, kind) / unit.pascals, x = curves[k].points.strained[i].amount;
       add_point(drawn, x, residual);
       if (!std::isfinite(residual)) continue;
       low = std::min(low, x);

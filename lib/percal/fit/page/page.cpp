@@ -1,10 +1,11 @@
 // The page of `percal fit`.
+#include "percal/fit/page/page.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
 #include <filesystem>
 
-#include "percal/fit/page/page.hpp"
 #include "percal/fit/page/parts.hpp"
 #include "percal/page/numbers.hpp"
 
@@ -36,10 +37,6 @@ const Json& uncertainty_of(const Json& result, std::size_t minimum) {
   return nothing;
 }
 
-std::string level_words(const Json& result) {
-  return fmt::format("{:g} %", 100 * number_or(at(result, "uncertainty"), "level", 0.95));
-}
-
 std::string summary_of(const Json& result) {
   const Json& minimum = best(result);
   if (minimum.is_null()) return "No solid with the signs asked for fits better than none: there is no result.";
@@ -47,7 +44,7 @@ std::string summary_of(const Json& result) {
   const Json& about = at(uncertainty_of(result, 0), "parameters");
   const Json& mu = at(about, "mu_Pa");
   if (mu.is_object())
-    summary += " (" + level_words(result) + " interval " + interval_words(mu, dimension::pressure) + ")";
+    summary += " (" + level_words(at(result, "uncertainty")) + " interval " + interval_words(mu, dimension::pressure) + ")";
   if (const auto alpha = number(minimum, "alpha")) {
     summary += ", alpha " + shown(alpha);
     const Json& parameter = at(about, "alpha");
@@ -70,8 +67,8 @@ Section asked_section(const Json& result) {
   section.blocks.push_back(bullets);
   add(section, sources_table(result));
   Table tests{.caption = "The tests in them",
-                  .rows = {{"test", "deformation", "points", "weight of a point", "R2"}},
-                  .notes = {}};
+              .rows = {{"test", "deformation", "points", "weight of a point", "R2"}},
+              .notes = {}};
   for (const Json& test : list(result, "tests"))
     tests.rows.push_back({text(test, "name"), text(test, "deformation"), shown(number(test, "points"), 9),
                           shown(number(test, "weight_of_point"), 3),
@@ -92,8 +89,7 @@ Table parameter_table(const Json& result) {
   const auto errors = curve_errors(result);
   const Hyperelastic solid = solid_of(best(result));
   const bool single = solid.terms.size() == 1;
-  Table table{
-      .caption = "The best minimum", .rows = {{"", "value", level_words(result) + " interval"}}, .notes = {}};
+  Table table{.caption = "The best minimum", .rows = {{"", "value", level_words(at(result, "uncertainty")) + " interval"}}, .notes = {}};
   if (bootstrap)
     for (const char* kind : {"bootstrap: points", "bootstrap: residuals", "bootstrap: parametric"})
       table.rows[0].push_back(kind);
@@ -183,8 +179,8 @@ Section curves_section(const Json& result) {
 Section minima_section(const Json& result) {
   Section section{.id = "minima", .title = "Every minimum", .blocks = {}};
   Table table{.caption = "All minima of the objective",
-                  .rows = {{"", "mu true", "alpha", "2 mu/alpha", "objective", "above the best", "R2", "remark"}},
-                  .notes = {}};
+              .rows = {{"", "mu true", "alpha", "2 mu/alpha", "objective", "above the best", "R2", "remark"}},
+              .notes = {}};
   const Json& minima = list(result, "minima");
   for (std::size_t k = 0; k < minima.size(); ++k) {
     const Hyperelastic solid = solid_of(minima[k]);

@@ -58,9 +58,6 @@ Figure residual_figure(const std::vector<PageCurve>& curves, const std::string& 
 // Files, columns, SHA-256.
 Table sources_table(const Json& result);
 
-// "3.1 to 3.4", with what is open about it.
-std::string interval_words(const Json& parameter, const Dimension& dimension);
-
 Page rate_factor_page(const Json& result);
 
 }  // namespace percal::page

@@ -10,11 +10,10 @@ namespace percal::page {
 namespace {
 
 Table parameter_table(const Json& result) {
-  Table table{
-      .caption = "One alpha for both rates",
-      .rows = {{"", "value", fmt::format("{:g} % interval", 100 * number_or(result, "level", 0.95))}},
-      .notes = {"mu is the small-strain shear modulus; 2 mu/alpha is the number that LS-DYNA and others call "
-                "MU1 or mu. The factor is the same in both."}};
+  Table table{.caption = "One alpha for both rates",
+              .rows = {{"", "value", fmt::format("{:g} % interval", 100 * number_or(result, "level", 0.95))}},
+              .notes = {"mu is the small-strain shear modulus; 2 mu/alpha is the number that LS-DYNA and others call "
+                        "MU1 or mu. The factor is the same in both."}};
   const auto row = [&](const char* name, const char* key, const Dimension& dimension) {
     const Json& parameter = at(result, key);
     table.rows.push_back(
@@ -34,8 +33,8 @@ Table parameter_table(const Json& result) {
 
 Table alone_table(const Json& result) {
   Table table{.caption = "Each curve alone",
-                  .rows = {{"", "points", "mu true", "alpha", "2 mu/alpha", "errors from the"}},
-                  .notes = {}};
+              .rows = {{"", "points", "mu true", "alpha", "2 mu/alpha", "errors from the"}},
+              .notes = {}};
   for (const auto& [name, key] : {std::pair{"low rate", "slow"}, std::pair{"high rate", "fast"}}) {
     const Json& curve = at(result, key);
     const auto mu = number(curve, "mu_alone_Pa"), alpha = number(curve, "alpha_alone");
@@ -70,8 +69,7 @@ Section result_section(const Json& result) {
   Section section{.id = "result", .title = "What came out", .blocks = {}};
   add(section, parameter_table(result));
   add(section, alone_table(result));
-  if (const auto findings = texts(at(result, "findings")); !findings.empty())
-    section.blocks.push_back(List{findings});
+  if (const auto findings = texts(at(result, "findings")); !findings.empty()) section.blocks.push_back(List{findings});
   return section;
 }
 
@@ -86,8 +84,8 @@ Page rate_factor_page(const Json& result) {
                              interval_words(factor, dimension::none));
   Section asked{.id = "asked", .title = "What was asked", .blocks = {}};
   add_sentence(asked, fmt::format("One factor between the stresses of one solid at two rates: the one-term Ogden "
-                                   "solid with one alpha and two moduli, {} residuals.",
-                                   text(result, "residual")));
+                                  "solid with one alpha and two moduli, {} residuals.",
+                                  text(result, "residual")));
   add(asked, sources_table(result));
   add(page, asked);
   for (auto section : {result_section, curves_section, provenance_section, input_section}) add(page, section(result));

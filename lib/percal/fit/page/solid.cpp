@@ -1,8 +1,8 @@
 // The solid of a curve fit, its covariance, the band of its curve.                             docs/theory/curves.md
 #include <cmath>
 
-#include "percal/math/distributions.hpp"
 #include "percal/fit/page/parts.hpp"
+#include "percal/math/distributions.hpp"
 
 namespace percal::page {
 namespace {

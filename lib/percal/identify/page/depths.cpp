@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "percal/math/statistics.hpp"
 #include "percal/identify/page/parts.hpp"
+#include "percal/math/statistics.hpp"
 #include "percal/page/numbers.hpp"
 
 namespace percal::page {

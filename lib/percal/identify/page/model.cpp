@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "percal/math/statistics.hpp"
 #include "percal/identify/page/parts.hpp"
+#include "percal/math/statistics.hpp"
 #include "percal/page/numbers.hpp"
 
 namespace percal::page {
@@ -246,16 +246,15 @@ Section scaled_section(const Json& result) {
   add(chart, measured);
   add(chart, theirs);
   add(section,
-      Figure{
-          .name = "scaled",
-          .caption = fmt::format("The straight line of depth over rho_p v a in {}, {:.4g} cm per 1000 kg/(m s), "
-                                 "carried over by similarity without any finite elements: {} from the measured "
-                                 "depths in the mean.",
-                                 material, 1e5 * number_or(line, "slope_m2_s_kg", nowhere),
-                                 count > 0 ? percent(sum / count) : "-"),
-          .alt = fmt::format("Depth in {} against the impact parameter: {} measured points about {} scaled lines.",
-                             tissue, measured.x.size(), lines.size()),
-          .chart = chart});
+      Figure{.name = "scaled",
+             .caption = fmt::format("The straight line of depth over rho_p v a in {}, {:.4g} cm per 1000 kg/(m s), "
+                                    "carried over by similarity without any finite elements: {} from the measured "
+                                    "depths in the mean.",
+                                    material, 1e5 * number_or(line, "slope_m2_s_kg", nowhere),
+                                    count > 0 ? percent(sum / count) : "-"),
+             .alt = fmt::format("Depth in {} against the impact parameter: {} measured points about {} scaled lines.",
+                                tissue, measured.x.size(), lines.size()),
+             .chart = chart});
   return section;
 }
 
@@ -291,10 +290,10 @@ Section trends_section(const Json& result) {
     if (!theirs.empty())
       caption += fmt::format(" The reference's finite elements lie within {:.0f} % of them.", 100 * worst);
     add(section, Figure{.name = fmt::format("shape_{}", ++figures),
-                            .caption = caption,
-                            .alt = fmt::format("{} against {}: {} measured points on a rising line.", chart.y.label,
-                                               chart.x.label, x.size()),
-                            .chart = chart});
+                        .caption = caption,
+                        .alt = fmt::format("{} against {}: {} measured points on a rising line.", chart.y.label,
+                                           chart.x.label, x.size()),
+                        .chart = chart});
   }
   return section;
 }

@@ -1,9 +1,10 @@
 // The page of `percal identify`.
+#include "percal/identify/page/page.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "percal/identify/page/page.hpp"
 #include "percal/identify/page/parts.hpp"
 #include "percal/page/numbers.hpp"
 
@@ -75,18 +76,18 @@ Section asked_section(const Json& result) {
   const Json &tissue = at(result, "skin"), &calibration = at(result, "calibration"), &model = at(result, "model");
   if (calibration.is_object())
     add_sentence(section, fmt::format("Which material is {}, in which {} goes {} deep{}?", text(tissue, "name"),
-                                       sphere_words(calibration), length(number(calibration, "penetration_m")),
-                                       number(calibration, "penetration_standard_error_m")
-                                           ? fmt::format(" (standard error {})",
-                                                         length(number(calibration, "penetration_standard_error_m")))
-                                           : ""));
+                                      sphere_words(calibration), length(number(calibration, "penetration_m")),
+                                      number(calibration, "penetration_standard_error_m")
+                                          ? fmt::format(" (standard error {})",
+                                                        length(number(calibration, "penetration_standard_error_m")))
+                                          : ""));
   if (model.is_object())
     add_sentence(section,
-                  fmt::format("Its modulus is taken from the formulation of {} in which {} goes as deep as in the "
-                              "system that is similar to this shot.",
-                              text(model, "material"), sphere_words(model)));
-  add_sentence(section, fmt::format("Moduli are given as {}, erosion strains as {} strain.",
-                                     text(tissue, "convention"), text(tissue, "strain_measure")));
+                 fmt::format("Its modulus is taken from the formulation of {} in which {} goes as deep as in the "
+                             "system that is similar to this shot.",
+                             text(model, "material"), sphere_words(model)));
+  add_sentence(section, fmt::format("Moduli are given as {}, erosion strains as {} strain.", text(tissue, "convention"),
+                                    text(tissue, "strain_measure")));
   return section;
 }
 
@@ -113,8 +114,8 @@ Section answer_section(const Json& result) {
   add(section, std::move(table));
 
   Table means{.caption = "How deep percal's predictions lie, in the mean",
-                  .rows = {{"shots", "target density, kg/m3", "from the measured depths", "from the reference's"}},
-                  .notes = {}};
+              .rows = {{"shots", "target density, kg/m3", "from the measured depths", "from the reference's"}},
+              .notes = {}};
   for (const Json& one : list(result, "prediction_means"))
     means.rows.push_back({text(one, "system"), shown(number(one, "target_density_kg_m3")),
                           percent(number(one, "mean_deviation_from_measured")),
@@ -124,8 +125,7 @@ Section answer_section(const Json& result) {
   return section;
 }
 
-Section tables_section(const Json& result, const std::string& key, const std::string& id,
-                           const std::string& title) {
+Section tables_section(const Json& result, const std::string& key, const std::string& id, const std::string& title) {
   Section section{.id = id, .title = title, .blocks = {}};
   for (const Json& table : list(result, key)) add(section, comparison_table(table));
   return section;

@@ -22,7 +22,7 @@ Section trends_section(const Json& result);
 struct PageShot {
   std::string particle;
   double particle_density = 0, radius = 0, speed = 0;
-  double target_density = 0, mu = 0;  // mu true
+  double target_density = 0, mu = 0;                          // mu true
   double measured = 0, reference = 0, depth = 0, spread = 0;  // NaN where there is none
 
   double impact_parameter() const { return particle_density * speed * radius; }

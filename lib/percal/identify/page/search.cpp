@@ -46,16 +46,15 @@ Section law_section(const Json& result) {
   add(chart, line);
   add(chart, fitted);
   add(chart, others);
-  Figure figure{
-      .name = "law",
-      .caption = fmt::format("mu = k c^n with k = {} and n = {:.3g}. The identification takes concentration "
-                             "{}, for which the law says {:.4g} {}.",
-                             with_error(pressure(k), pressure(number(law, "k_standard_error_Pa"), 2)), *n,
-                             shown(chosen), at_chosen, unit.name),
-      .alt = fmt::format("Modulus against concentration: {} measured points and the power law through them, "
-                         "from {:.3g} to {:.3g}.",
-                         formulations.size(), low, high),
-      .chart = chart};
+  Figure figure{.name = "law",
+                .caption = fmt::format("mu = k c^n with k = {} and n = {:.3g}. The identification takes concentration "
+                                       "{}, for which the law says {:.4g} {}.",
+                                       with_error(pressure(k), pressure(number(law, "k_standard_error_Pa"), 2)), *n,
+                                       shown(chosen), at_chosen, unit.name),
+                .alt = fmt::format("Modulus against concentration: {} measured points and the power law through them, "
+                                   "from {:.3g} to {:.3g}.",
+                                   formulations.size(), low, high),
+                .chart = chart};
   add(section, std::move(figure));
   return section;
 }
@@ -95,18 +94,17 @@ Section alpha_section(const Json& result) {
   const std::string range = fmt::format("{} to {}", shown(number(alpha, "indistinguishable_from")),
                                         shown(number(alpha, "indistinguishable_to")));
   add(section,
-      Figure{
-          .name = "alpha",
-          .caption = fmt::format("The depths at the known pairs are nearest to the measured one at alpha {} "
-                                 "({} away in the mean), but no alpha from {} is worse by more than a "
-                                 "standard error. The mildest of them, {}, is taken.",
-                                 shown(number(alpha, "best")), percent(number(alpha, "best_mean_deviation")), range,
-                                 shown(value)),
-          .alt = fmt::format("Mean deviation of depths against alpha: a valley whose floor reaches from {}.", range),
-          .chart = chart});
+      Figure{.name = "alpha",
+             .caption = fmt::format("The depths at the known pairs are nearest to the measured one at alpha {} "
+                                    "({} away in the mean), but no alpha from {} is worse by more than a "
+                                    "standard error. The mildest of them, {}, is taken.",
+                                    shown(number(alpha, "best")), percent(number(alpha, "best_mean_deviation")), range,
+                                    shown(value)),
+             .alt = fmt::format("Mean deviation of depths against alpha: a valley whose floor reaches from {}.", range),
+             .chart = chart});
   if (yes(alpha, "ridge_is_in_sample"))
     add_sentence(section,
-                  "alpha was fitted to the pairs that the ridge is compared with: their agreement is no prediction.");
+                 "alpha was fitted to the pairs that the ridge is compared with: their agreement is no prediction.");
   if (yes(alpha, "at_edge")) add_sentence(section, "The best alpha is at the edge of the scan.");
   return section;
 }
@@ -154,13 +152,12 @@ Section ridge_section(const Json& result) {
         " The modulus from the model material, {}, picks the strain {}.",
         pressure(number(tissue, "mu_highrate_as_given_Pa"), 3),
         with_error(shown(number(tissue, "erosion_strain"), 3), shown(number(tissue, "erosion_strain_error"), 2)));
-  add(section,
-      Figure{.name = "ridge",
-                 .caption = caption + " Bars: standard errors of solver noise and measured depth.",
-                 .alt = fmt::format("Modulus against erosion strain, falling from {:.3g} to {:.3g} {}, with {} "
-                                    "published pairs beside it.",
-                                    stiffest, softest, unit.name, published.x.size()),
-                 .chart = chart});
+  add(section, Figure{.name = "ridge",
+                      .caption = caption + " Bars: standard errors of solver noise and measured depth.",
+                      .alt = fmt::format("Modulus against erosion strain, falling from {:.3g} to {:.3g} {}, with {} "
+                                         "published pairs beside it.",
+                                         stiffest, softest, unit.name, published.x.size()),
+                      .chart = chart});
   add(section, std::move(table));
   return section;
 }
@@ -196,25 +193,24 @@ Section mesh_section(const Json& result) {
   for (const Series& one : {line, depths, target}) add(chart, one);
   add(section,
       Figure{.name = "mesh",
-                 .caption = fmt::format("From {} to {} elements per radius the depth changes by up to {:.2g} %. Bars: "
-                                        "spread of the replicates.",
-                                        shown(number(study.front(), "elements_per_radius")),
-                                        shown(number(study.back(), "elements_per_radius")), largest_error),
-                 .alt = fmt::format("Depth against elements per radius: {} meshes, all within {:.2g} % of the finest.",
-                                    study.size(), largest_error),
-                 .chart = chart});
+             .caption = fmt::format("From {} to {} elements per radius the depth changes by up to {:.2g} %. Bars: "
+                                    "spread of the replicates.",
+                                    shown(number(study.front(), "elements_per_radius")),
+                                    shown(number(study.back(), "elements_per_radius")), largest_error),
+             .alt = fmt::format("Depth against elements per radius: {} meshes, all within {:.2g} % of the finest.",
+                                study.size(), largest_error),
+             .chart = chart});
   Chart cost{.title = "Deviation from the finest mesh against run time",
              .x = {.label = "processor time of the replicates, s", .logarithmic = true},
              .y = {.label = "depth over the finest mesh's, less 1, %"}};
   if (errors.x.size() > 1) add(cost, errors);
   if (drawable(cost))
-    add(section,
-        Figure{.name = "mesh_cost",
-                   .caption = fmt::format("The finest mesh costs {:.2g} times the coarsest. Bars: spread of the "
-                                          "replicates; a deviation inside of them is not told from none.",
-                                          errors.x.back() / errors.x.front()),
-                   .alt = "Deviation of the depth from the finest mesh's against processor time.",
-                   .chart = cost});
+    add(section, Figure{.name = "mesh_cost",
+                        .caption = fmt::format("The finest mesh costs {:.2g} times the coarsest. Bars: spread of the "
+                                               "replicates; a deviation inside of them is not told from none.",
+                                               errors.x.back() / errors.x.front()),
+                        .alt = "Deviation of the depth from the finest mesh's against processor time.",
+                        .chart = cost});
   return section;
 }
 

@@ -51,7 +51,7 @@ Times times_of(const Json& history) {
 
 // A figure of one list of the history.
 Figure figure_of(const Times& times, const std::vector<double>& values, const std::string& name,
-                     const std::string& title, const std::string& label, const std::string& finding) {
+                 const std::string& title, const std::string& label, const std::string& finding) {
   Figure figure;
   figure.name = name;
   figure.chart.title = title;

@@ -1,11 +1,12 @@
 // The page of `percal impact`.
+#include "percal/observe/page/page.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "percal/observe/page/page.hpp"
 #include "percal/observe/page/parts.hpp"
 #include "percal/observe/page/scene_words.hpp"
 #include "percal/page/numbers.hpp"
@@ -175,8 +176,7 @@ Section result_section(const Json& result) {
   row("steps", shown(number(result, "steps"), 9));
   add(section, table);
   add_accuracy(section, result);
-  if (const auto warnings = texts(at(result, "warnings")); !warnings.empty())
-    section.blocks.push_back(List{warnings});
+  if (const auto warnings = texts(at(result, "warnings")); !warnings.empty()) section.blocks.push_back(List{warnings});
   add(section, scatter_figure(result));
   add(section, runs_table(result));
   return section;

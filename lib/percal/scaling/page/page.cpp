@@ -1,11 +1,12 @@
 // The page of `percal scale`.
+#include "percal/scaling/page/page.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "percal/scaling/page/page.hpp"
-#include "percal/page/sections.hpp"
 #include "percal/page/numbers.hpp"
+#include "percal/page/sections.hpp"
 #include "percal/scaling/system.hpp"
 
 namespace percal {
@@ -64,9 +65,9 @@ std::string verdict(const Json& group) {
 Section groups_section(const Json& result) {
   Section section{.id = "groups", .title = "The dimensionless groups", .blocks = {}};
   Table table{.caption = "Both systems without dimensions",
-                  .rows = {{"group", "formula", "meaning", "prototype", "model", "difference", "verdict"}},
-                  .notes = {"Two systems are similar where every group that decides the run is equal. Agree: within " +
-                            percent(number(result, "tolerance"), 1) + "."}};
+              .rows = {{"group", "formula", "meaning", "prototype", "model", "difference", "verdict"}},
+              .notes = {"Two systems are similar where every group that decides the run is equal. Agree: within " +
+                        percent(number(result, "tolerance"), 1) + "."}};
   for (const Json& group : list(result, "groups"))
     table.rows.push_back({text(group, "symbol"), text(group, "formula"), text(group, "name"),
                           shown(number(group, "prototype"), 6), shown(number(group, "model"), 6),

@@ -131,12 +131,11 @@ void add_mesh_row(Table& table, const Json& rung) {
 }
 
 Table mesh_table(const Json& result) {
-  Table table{
-      .caption = "The ladder of meshes",
-      .rows = {{"elements per radius", "time step", "arithmetic", "outcome", "depth", "standard error", "error",
-                "interval", "one run", "mean of 3", "mean of 10", "CPU time of a run"}},
-      .notes = {"Error: of the depth against the extrapolated one. The last errors have the noise of that many "
-                "runs in them."}};
+  Table table{.caption = "The ladder of meshes",
+              .rows = {{"elements per radius", "time step", "arithmetic", "outcome", "depth", "standard error", "error",
+                        "interval", "one run", "mean of 3", "mean of 10", "CPU time of a run"}},
+              .notes = {"Error: of the depth against the extrapolated one. The last errors have the noise of that many "
+                        "runs in them."}};
   for (const Json& rung : list(result, "meshes")) add_mesh_row(table, rung);
   for (const Json& rung : list(result, "half_steps")) add_mesh_row(table, rung);
   if (at(result, "double_precision").is_object()) add_mesh_row(table, at(result, "double_precision"));
@@ -145,9 +144,9 @@ Table mesh_table(const Json& result) {
 
 Table advice_table(const Json& result) {
   Table table{.caption = "The cheapest setting for an error",
-                  .rows = {{"error asked for", "elements per radius", "runs", "mesh error", "noise", "both", "CPU time",
-                            "from", "to", "remark"}},
-                  .notes = {}};
+              .rows = {{"error asked for", "elements per radius", "runs", "mesh error", "noise", "both", "CPU time",
+                        "from", "to", "remark"}},
+              .notes = {}};
   for (const Json& one : list(result, "advice"))
     table.rows.push_back(
         {percent(number(one, "target_error"), 0), shown(number(one, "elements_per_radius")),
@@ -191,10 +190,10 @@ Section asked_section(const Json& result) {
   for (const double n : numbers(at(at(result, "ladder"), "elements_per_radius")))
     meshes += (meshes.empty() ? "" : ", ") + shown(n);
   add_sentence(section,
-                fmt::format("What is each mesh worth for {}? Meshes of {} elements per radius, {} runs on each, time "
-                            "step factor {}.",
-                            scene_words(result), meshes, shown(number(at(result, "ladder"), "replicates")),
-                            shown(number(at(result, "ladder"), "time_step_factor"))));
+               fmt::format("What is each mesh worth for {}? Meshes of {} elements per radius, {} runs on each, time "
+                           "step factor {}.",
+                           scene_words(result), meshes, shown(number(at(result, "ladder"), "replicates")),
+                           shown(number(at(result, "ladder"), "time_step_factor"))));
   return section;
 }
 

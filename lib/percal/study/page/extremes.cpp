@@ -57,9 +57,9 @@ Section cells_section(const Json& result) {
   Section section{.id = "cells", .title = "The cells", .blocks = {}};
   add(section, closure_figure(result));
   Table table{.caption = "One thing or two changed in a gold sphere into skin",
-                  .rows = {{"cell", "number", "group", "outcome", "tip, radii", "energy error", "smallest J",
-                            "smallest step", "Mach", "steps", "CPU time", "reason"}},
-                  .notes = {"A refused cell was not run: the reason has the scene reader's words."}};
+              .rows = {{"cell", "number", "group", "outcome", "tip, radii", "energy error", "smallest J",
+                        "smallest step", "Mach", "steps", "CPU time", "reason"}},
+              .notes = {"A refused cell was not run: the reason has the scene reader's words."}};
   int number_of_cell = 0;
   for (const Json& cell : list(result, "cells"))
     table.rows.push_back({text(cell, "cell"), std::to_string(++number_of_cell), text(cell, "group"),

@@ -63,9 +63,9 @@ Section changes_section(const Json& result) {
   Section section{.id = "changes", .title = "Each switched back on, or changed", .blocks = {}};
   add(section, change_figure(result));
   Table table{.caption = "The variants, the largest effect first",
-                  .rows = {{"variant", "number", "kind", "depth", "spread", "change", "standard error", "effect",
-                            "time ratio", "how"}},
-                  .notes = {}};
+              .rows = {{"variant", "number", "kind", "depth", "spread", "change", "standard error", "effect",
+                        "time ratio", "how"}},
+              .notes = {}};
   const Json &baseline = at(result, "baseline"), &omissions = list(result, "omissions");
   const auto depth = [](const Json& rung) {
     return number(rung, "depth_m") ? length(number(rung, "depth_m")) : text(rung, "outcome");

@@ -1,7 +1,8 @@
 // The page of `percal study`: which of its kinds.
+#include "percal/study/page/page.hpp"
+
 #include <filesystem>
 
-#include "percal/study/page/page.hpp"
 #include "percal/observe/page/scene_words.hpp"
 #include "percal/study/page/parts.hpp"
 

@@ -1,4 +1,4 @@
-// One reading of a job, from the emulator's fit to all that is said about it.
+// One hypothesis of a job, from the emulator's fit to all that is said about it.
 #pragma once
 #include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/limits.hpp"
@@ -13,14 +13,15 @@ SearchOptions thorough_search();
 
 // Fit, intervals, predictions, cross-validations, error budgets, advice; no runs are made. What takes long is left out, and said to
 // be, where the budget is spent.
-ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& model, const JobModel& without_mesh,
-                       const JobFit& fit, const CalibrationLimits& limits);
+HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobModel& model,
+                          const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits);
 
 // The fitted shots at the best point, on the verifying mesh.
-std::vector<Problem> fresh_problems(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit);
+std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, const JobModel& model,
+                                    const JobFit& fit);
 
 // These runs, with their replicates, beside the emulator.
-std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
+std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
                                  const Emulator& emulator, Campaign& campaign);
 
 // Root mean square of the standardised differences: 1 where the emulator's stated error is right. 0 without a run that stopped.

@@ -1,11 +1,11 @@
-#include "percal/calibrate/reading.hpp"
+#include "percal/calibrate/hypothesis.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "percal/calibrate/advice.hpp"
 #include "percal/calibrate/error_budget.hpp"
-#include "percal/calibrate/reading_findings.hpp"
+#include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/math/statistics.hpp"
 
@@ -52,10 +52,10 @@ std::vector<RidgeMap> ridges(const CalibrationJob& job, const JobModel& model, c
 }
 
 // Each shot from the fit to others.
-void add_predictions(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
-                     ReadingResult& result) {
+void add_predictions(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
+                     HypothesisResult& result) {
   for (const CrossValidation& wanted : job.cross_validations)
-    if (wanted.readings.empty() || std::count(wanted.readings.begin(), wanted.readings.end(), reading))
+    if (wanted.hypotheses.empty() || std::count(wanted.hypotheses.begin(), wanted.hypotheses.end(), hypothesis))
       result.cross_validations.push_back(cross_validate(job, model, wanted, quick_search()));
   for (std::size_t s = 0; s < job.sets.size(); ++s)
     if (job.sets[s].leave_one_out)
@@ -81,11 +81,11 @@ ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const J
   return sizes;
 }
 
-ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& model, const JobModel& without_mesh,
-                       const JobFit& fit, const CalibrationLimits& limits) {
-  const CalibrationReading& read = job.readings[reading];
-  ReadingResult result;
-  result.reading = reading;
+HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobModel& model,
+                          const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits) {
+  const Hypothesis& read = job.hypotheses[hypothesis];
+  HypothesisResult result;
+  result.index = hypothesis;
   result.minima = fit.minima;
   for (int k : fit.of_model) result.parameters.push_back(model.of_job[k]);
   result.intervals = profile_intervals(fit.problem, fit.best(), job.level, quick_search());
@@ -106,12 +106,12 @@ ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& m
   for (const LogQuantity& quantity : quantities)
     result.budgets.push_back(error_budget(job, model, fit, quantity, mesh_shift));
   result.advice = advise(job, model, fit, quantities);
-  result.findings = reading_findings(job, model, fit, result);
+  result.findings = hypothesis_findings(job, model, fit, result);
   if (limits.spent()) {
     result.findings.push_back("Without cross-validation, bootstrap and ridge: the budget was spent.");
     return result;
   }
-  add_predictions(job, reading, model, fit, result);
+  add_predictions(job, hypothesis, model, fit, result);
   if (job.bootstrap > 0)
     result.bootstrap = bootstrap(fit.problem, fit.best(), BootstrapKind::parametric, job.bootstrap, job.level,
                                  job.training.seed, quick_search());
@@ -119,8 +119,9 @@ ReadingResult read_out(const CalibrationJob& job, int reading, const JobModel& m
   return result;
 }
 
-std::vector<Problem> fresh_problems(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit) {
-  const CalibrationReading& read = job.readings[reading];
+std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, const JobModel& model,
+                                    const JobFit& fit) {
+  const Hypothesis& read = job.hypotheses[hypothesis];
   const auto natural = natural_values(job, read, model, fit.at);
   std::vector<Problem> problems;
   for (int i : fit.shots) {
@@ -131,11 +132,11 @@ std::vector<Problem> fresh_problems(const CalibrationJob& job, int reading, cons
   return problems;
 }
 
-std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int reading, const JobModel& model, const JobFit& fit,
+std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
                                  const Emulator& emulator, Campaign& campaign) {
-  const auto problems = fresh_problems(job, reading, model, fit);
+  const auto problems = fresh_problems(job, hypothesis, model, fit);
   const int replicates = job.training.verify_replicates;
-  Progress progress("fresh runs at the best point: " + job.readings[reading].name,
+  Progress progress("fresh runs at the best point: " + job.hypotheses[hypothesis].name,
                     static_cast<long>(problems.size()) * replicates);
   const auto runs = campaign.replicate(problems, replicates, &progress);
   const ModelAnswer emulated = model.log_depths(fit.at, fit.shots, Want::values_and_covariance);

@@ -1,4 +1,4 @@
-// The tables of one reading.
+// The tables of one hypothesis.
 #include <algorithm>
 
 #include "percal/calibrate/result_text.hpp"
@@ -13,43 +13,43 @@ using Rows = std::vector<std::vector<std::string>>;
 
 std::string level_words(const CalibrationJob& job) { return fmt::format("{:g} %", 100 * job.level); }
 
-TextTable parameter_table(const CalibrationJob& job, const ReadingResult& reading) {
-  const CalibrationReading& read = job.readings[reading.reading];
+TextTable parameter_table(const CalibrationJob& job, const HypothesisResult& hypothesis) {
+  const Hypothesis& read = job.hypotheses[hypothesis.index];
   TextTable table{"parameters", {{"", "value", level_words(job) + " interval", "bootstrap", ""}}, {}};
-  const Minimum& best = reading.minima.front();
-  for (std::size_t k = 0; k < reading.parameters.size(); ++k) {
-    const FreeParameter& parameter = job.parameters[reading.parameters[k]].free;
+  const Minimum& best = hypothesis.minima.front();
+  for (std::size_t k = 0; k < hypothesis.parameters.size(); ++k) {
+    const FreeParameter& parameter = job.parameters[hypothesis.parameters[k]].free;
     const auto word = [&](double value) { return value_of(parameter, value); };
     std::vector<std::string> row{parameter.name, word(parameter.natural(best.searched[static_cast<Eigen::Index>(k)])),
                                  "-", "-", best.at_bound[k] ? "at its bound" : ""};
-    for (const ProfileInterval& interval : reading.intervals) {
+    for (const ProfileInterval& interval : hypothesis.intervals) {
       if (interval.parameter != static_cast<int>(k)) continue;
       row[2] = interval_words(interval.interval, word);
       if (!interval.identifiable) row[4] += row[4].empty() ? "not identifiable" : ", not identifiable";
     }
-    if (reading.bootstrap && k < reading.bootstrap->intervals.size())
-      row[3] = interval_words(reading.bootstrap->intervals[k], word);
+    if (hypothesis.bootstrap && k < hypothesis.bootstrap->intervals.size())
+      row[3] = interval_words(hypothesis.bootstrap->intervals[k], word);
     table.rows.push_back(row);
   }
   for (const auto& [k, value] : read.held)
     table.rows.push_back({job.parameters[k].free.name, value_of(job.parameters[k].free, value), "held", "-", ""});
-  if (reading.bootstrap && reading.bootstrap->failed > 0)
+  if (hypothesis.bootstrap && hypothesis.bootstrap->failed > 0)
     table.notes.push_back(fmt::format("{} of {} bootstrap replicates did not converge and are left out",
-                                      reading.bootstrap->failed,
-                                      reading.bootstrap->searched.rows() + reading.bootstrap->failed));
+                                      hypothesis.bootstrap->failed,
+                                      hypothesis.bootstrap->searched.rows() + hypothesis.bootstrap->failed));
   return table;
 }
 
 // Minima besides the best one.
-TextTable minima_table(const CalibrationJob& job, const ReadingResult& reading) {
+TextTable minima_table(const CalibrationJob& job, const HypothesisResult& hypothesis) {
   TextTable table{"minima", {{"", "deviance above the best"}}, {}};
-  for (const int k : reading.parameters) table.rows[0].push_back(job.parameters[k].free.name);
-  for (std::size_t m = 0; m < reading.minima.size(); ++m) {
-    const Minimum& minimum = reading.minima[m];
+  for (const int k : hypothesis.parameters) table.rows[0].push_back(job.parameters[k].free.name);
+  for (std::size_t m = 0; m < hypothesis.minima.size(); ++m) {
+    const Minimum& minimum = hypothesis.minima[m];
     std::vector<std::string> row{fmt::format("{}", m + 1),
-                                 fmt::format("{:.3g}", minimum.deviance - reading.minima.front().deviance)};
-    for (std::size_t k = 0; k < reading.parameters.size(); ++k) {
-      const FreeParameter& parameter = job.parameters[reading.parameters[k]].free;
+                                 fmt::format("{:.3g}", minimum.deviance - hypothesis.minima.front().deviance)};
+    for (std::size_t k = 0; k < hypothesis.parameters.size(); ++k) {
+      const FreeParameter& parameter = job.parameters[hypothesis.parameters[k]].free;
       row.push_back(value_of(parameter, parameter.natural(minimum.searched[static_cast<Eigen::Index>(k)])));
     }
     table.rows.push_back(row);
@@ -57,12 +57,12 @@ TextTable minima_table(const CalibrationJob& job, const ReadingResult& reading) 
   return table;
 }
 
-TextTable moduli_table(const CalibrationJob& job, const ReadingResult& reading) {
+TextTable moduli_table(const CalibrationJob& job, const HypothesisResult& hypothesis) {
   TextTable table{"moduli, true and as LS-DYNA's MU1 = 2 mu/alpha",
                   {{"", "mu true", level_words(job) + " interval", "MU1", level_words(job) + " interval", "curve's mu",
                     "quasi-static E = 3 mu", level_words(job) + " interval", "3 MU1"}},
                   {}};
-  for (const MaterialModuli& m : reading.moduli) {
+  for (const MaterialModuli& m : hypothesis.moduli) {
     std::vector<std::string> row{m.material,
                                  pressure(m.mu_true.value),
                                  interval_words(m.mu_true.interval, pressure),
@@ -86,11 +86,11 @@ const Deviation* by_name(const std::vector<Deviation>& all, const std::string& n
   return found == all.end() ? nullptr : &*found;
 }
 
-TextTable set_table(const CalibrationJob& job, const CalibrationResult& result, const ReadingResult& reading) {
+TextTable set_table(const CalibrationJob& job, const CalibrationResult& result, const HypothesisResult& hypothesis) {
   TextTable table{"depths by set: model over measured, less 1",
                   {{"", "shots", "mean deviation", "signed", "within " + level_words(job), "Dehn's"}},
                   {}};
-  for (const Deviation& set : reading.sets) {
+  for (const Deviation& set : hypothesis.sets) {
     const Deviation* dehn = result.dehn ? by_name(result.dehn->sets, set.name) : nullptr;
     table.rows.push_back({set.name, fmt::format("{}", set.shots), mean_of(set),
                           set.shots > 0 ? signed_percent(set.mean_signed) : "-",
@@ -99,10 +99,10 @@ TextTable set_table(const CalibrationJob& job, const CalibrationResult& result, 
   return table;
 }
 
-TextTable shot_table(const CalibrationJob& job, const CalibrationResult& result, const ReadingResult& reading) {
+TextTable shot_table(const CalibrationJob& job, const CalibrationResult& result, const HypothesisResult& hypothesis) {
   TextTable table{
       "shots", {{"", "measured", "model", "deviation", level_words(job) + " of one shot", "Dehn's", ""}}, {}};
-  for (const ShotDepth& depth : reading.shots) {
+  for (const ShotDepth& depth : hypothesis.shots) {
     const MeasuredShot& shot = job.shots[depth.shot];
     std::string dehn = "-";
     if (result.dehn)
@@ -136,21 +136,22 @@ void add_predictions(const std::vector<CrossValidationResult>& ours, const std::
   }
 }
 
-TextTable prediction_table(const CalibrationJob& job, const CalibrationResult& result, const ReadingResult& reading) {
+TextTable prediction_table(const CalibrationJob& job, const CalibrationResult& result,
+                           const HypothesisResult& hypothesis) {
   TextTable table{"predicted from the others",
                   {{"", "fitted", "their deviation", "predicted", "their deviation", "signed", "goal", "Dehn's",
                     "within " + level_words(job)}},
                   {}};
-  add_predictions(reading.cross_validations, result.dehn ? &result.dehn->cross_validations : nullptr, table.rows);
-  add_predictions(reading.leave_one_out, result.dehn ? &result.dehn->leave_one_out : nullptr, table.rows);
+  add_predictions(hypothesis.cross_validations, result.dehn ? &result.dehn->cross_validations : nullptr, table.rows);
+  add_predictions(hypothesis.leave_one_out, result.dehn ? &result.dehn->leave_one_out : nullptr, table.rows);
   return table;
 }
 
-TextTable fresh_table(const CalibrationJob& job, const ReadingResult& reading) {
+TextTable fresh_table(const CalibrationJob& job, const HypothesisResult& hypothesis) {
   TextTable table{"fresh runs at the best point",
                   {{"", "elements per radius", "run", "emulator", "in stated errors", "measured"}},
                   {}};
-  for (const FreshRun& run : reading.fresh)
+  for (const FreshRun& run : hypothesis.fresh)
     table.rows.push_back({job.shots[run.shot].label, fmt::format("{}", run.elements_per_radius),
                           run.depth ? length(*run.depth) : run.outcome, length(run.emulated),
                           run.depth ? fmt::format("{:+.2f}", run.standardised) : "-",
@@ -181,39 +182,39 @@ TextTable budget_table(const CalibrationJob& job, const ErrorBudget& budget) {
   return table;
 }
 
-TextTable advice_table(const ReadingResult& reading) {
+TextTable advice_table(const HypothesisResult& hypothesis) {
   TextTable table{"what to measure next", {{"", "interval afterwards over now"}}, {}};
-  for (const Advice& one : reading.advice) table.rows.push_back({one.label, fmt::format("{:.2f}", one.width_ratio)});
+  for (const Advice& one : hypothesis.advice) table.rows.push_back({one.label, fmt::format("{:.2f}", one.width_ratio)});
   return table;
 }
 
-TextTable summary(const ReadingResult& reading) {
+TextTable summary(const HypothesisResult& hypothesis) {
   TextTable table{"", {}, {}};
-  if (!reading.fresh.empty())
+  if (!hypothesis.fresh.empty())
     table.notes.push_back(
-        fmt::format("fresh runs lie {} from the measured depths in the mean", percent(reading.fresh_deviation)));
+        fmt::format("fresh runs lie {} from the measured depths in the mean", percent(hypothesis.fresh_deviation)));
   table.notes.push_back(fmt::format("extrapolated to no mesh the depths would change by {} in the mean",
-                                    signed_percent(reading.mesh_error)));
-  for (const std::string& finding : reading.findings) table.notes.push_back("note: " + finding);
+                                    signed_percent(hypothesis.mesh_error)));
+  for (const std::string& finding : hypothesis.findings) table.notes.push_back("note: " + finding);
   return table;
 }
 
 }  // namespace
 
-std::vector<TextTable> reading_tables(const CalibrationJob& job, const CalibrationResult& result,
-                                      const ReadingResult& reading, ShotTables shots) {
+std::vector<TextTable> hypothesis_tables(const CalibrationJob& job, const CalibrationResult& result,
+                                         const HypothesisResult& hypothesis, ShotTables shots) {
   const bool details = shots == ShotTables::all;
   std::vector<TextTable> tables;
-  if (!reading.minima.empty()) tables.push_back(parameter_table(job, reading));
-  if (reading.minima.size() > 1) tables.push_back(minima_table(job, reading));
-  tables.push_back(moduli_table(job, reading));
-  tables.push_back(set_table(job, result, reading));
-  if (details || job.shots.size() <= few_shots) tables.push_back(shot_table(job, result, reading));
-  tables.push_back(prediction_table(job, result, reading));
-  if (details) tables.push_back(fresh_table(job, reading));
-  for (const ErrorBudget& budget : reading.budgets) tables.push_back(budget_table(job, budget));
-  tables.push_back(advice_table(reading));
-  tables.push_back(summary(reading));
+  if (!hypothesis.minima.empty()) tables.push_back(parameter_table(job, hypothesis));
+  if (hypothesis.minima.size() > 1) tables.push_back(minima_table(job, hypothesis));
+  tables.push_back(moduli_table(job, hypothesis));
+  tables.push_back(set_table(job, result, hypothesis));
+  if (details || job.shots.size() <= few_shots) tables.push_back(shot_table(job, result, hypothesis));
+  tables.push_back(prediction_table(job, result, hypothesis));
+  if (details) tables.push_back(fresh_table(job, hypothesis));
+  for (const ErrorBudget& budget : hypothesis.budgets) tables.push_back(budget_table(job, budget));
+  tables.push_back(advice_table(hypothesis));
+  tables.push_back(summary(hypothesis));
   std::erase_if(tables, [](const TextTable& table) { return table.rows.size() < 2 && table.notes.empty(); });
   return tables;
 }

@@ -1,18 +1,18 @@
-// One reading's result, and the closed form's.
+// One hypothesis's result, and the closed form's.
 #include "percal/calibrate/json_parts.hpp"
 
 namespace percal::calibration_json {
 namespace {
 
-std::vector<FreeParameter> fitted_parameters(const CalibrationJob& job, const ReadingResult& reading) {
+std::vector<FreeParameter> fitted_parameters(const CalibrationJob& job, const HypothesisResult& hypothesis) {
   std::vector<FreeParameter> parameters;
-  for (const int k : reading.parameters) parameters.push_back(job.parameters[k].free);
+  for (const int k : hypothesis.parameters) parameters.push_back(job.parameters[k].free);
   return parameters;
 }
 
-Json held_of(const CalibrationJob& job, const CalibrationReading& reading) {
+Json held_of(const CalibrationJob& job, const Hypothesis& hypothesis) {
   Json all = Json::array();
-  for (const auto& [k, value] : reading.held)
+  for (const auto& [k, value] : hypothesis.held)
     all.push_back({{"name", job.parameters[k].free.name}, {with_unit("value", job.parameters[k].free), value}});
   return all;
 }
@@ -32,8 +32,8 @@ Json combinations_of(const std::vector<FreeParameter>& parameters, const std::ve
 }
 
 // Rows and columns in the order of the parameters.
-Json correlation_of(const ReadingResult& reading) {
-  const Eigen::MatrixXd matrix = correlation(reading.minima.front());
+Json correlation_of(const HypothesisResult& hypothesis) {
+  const Eigen::MatrixXd matrix = correlation(hypothesis.minima.front());
   Json rows = Json::array();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
     Json row = Json::array();
@@ -147,16 +147,16 @@ Json advice_to_json(const std::vector<Advice>& advice) {
 
 }  // namespace
 
-Json reading_to_json(const CalibrationJob& job, const ReadingResult& result) {
-  const CalibrationReading& reading = job.readings[result.reading];
+Json hypothesis_to_json(const CalibrationJob& job, const HypothesisResult& result) {
+  const Hypothesis& hypothesis = job.hypotheses[result.index];
   const auto parameters = fitted_parameters(job, result);
   Json minima = Json::array();
   for (const Minimum& minimum : result.minima) minima.push_back(minimum_to_json(job, parameters, minimum));
-  Json json{{"name", reading.name},
-            {"convention", word(reading.convention)},
-            {"strain_measure", word(reading.measure)},
-            {"contact_stiffness", reading.contact_stiffness},
-            {"held", held_of(job, reading)},
+  Json json{{"name", hypothesis.name},
+            {"convention", word(hypothesis.convention)},
+            {"strain_measure", word(hypothesis.measure)},
+            {"contact_stiffness", hypothesis.contact_stiffness},
+            {"held", held_of(job, hypothesis)},
             {"minima", minima},
             {"parameters", nullptr},
             {"correlation", nullptr},

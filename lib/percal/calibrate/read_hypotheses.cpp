@@ -1,4 +1,4 @@
-// [[readings]] and [[ridge_points]].
+// [[hypotheses]] and [[ridge_points]].
 #include <fmt/format.h>
 
 #include <cmath>
@@ -44,7 +44,7 @@ std::map<int, double> held_from(const TomlTable& block, const CalibrationJob& jo
   return held;
 }
 
-CalibrationReading reading_from(const TomlTable& block, const CalibrationJob& job) {
+Hypothesis hypothesis_from(const TomlTable& block, const CalibrationJob& job) {
   const auto measure = static_cast<StrainMeasure>(block.word("measure", {"engineering", "true", "green-lagrange"}, 0));
   std::map<int, double> held = held_from(block, job);
   for (auto& [parameter, value] : held)  // inside, erosion strains are engineering ones
@@ -57,8 +57,8 @@ CalibrationReading reading_from(const TomlTable& block, const CalibrationJob& jo
 }
 
 // Moduli are positive, so a mu that stands for mu_true 2/alpha needs a positive alpha.
-void check_convention(const TomlTable& block, const CalibrationJob& job, const CalibrationReading& reading) {
-  if (reading.convention != ModulusConvention::mu_over_alpha) return;
+void check_convention(const TomlTable& block, const CalibrationJob& job, const Hypothesis& hypothesis) {
+  if (hypothesis.convention != ModulusConvention::mu_over_alpha) return;
   for (const CalibrationMaterial& material : job.materials) {
     const auto* shared = std::get_if<SharedParameter>(&material.alpha);
     const double lowest = shared ? job.parameters[shared->index].free.low : std::get<double>(material.alpha);
@@ -84,16 +84,17 @@ PublishedPairs published_from(const TomlTable& block, const CalibrationJob& job)
 
 }  // namespace
 
-void read_readings(const TomlTable& root, CalibrationJob& job) {
-  for (const TomlTable& block : root.tables("readings")) {
-    const CalibrationReading reading = reading_from(block, job);
-    for (const CalibrationReading& other : job.readings)
-      if (other.name == reading.name) block.refuse("name", in_quotes(reading.name) + " again", "a name of its own");
-    check_convention(block, job, reading);
-    job.readings.push_back(reading);
+void read_hypotheses(const TomlTable& root, CalibrationJob& job) {
+  for (const TomlTable& block : root.tables(root.has("readings") ? "readings" : "hypotheses")) {
+    const Hypothesis hypothesis = hypothesis_from(block, job);
+    for (const Hypothesis& other : job.hypotheses)
+      if (other.name == hypothesis.name)
+        block.refuse("name", in_quotes(hypothesis.name) + " again", "a name of its own");
+    check_convention(block, job, hypothesis);
+    job.hypotheses.push_back(hypothesis);
   }
-  if (job.readings.empty())
-    job.readings.push_back({.name = "as given", .held = {}, .contact_stiffness = job.solver.contact_stiffness});
+  if (job.hypotheses.empty())
+    job.hypotheses.push_back({.name = "as given", .held = {}, .contact_stiffness = job.solver.contact_stiffness});
 }
 
 void read_published(const TomlTable& root, CalibrationJob& job) {

@@ -1,11 +1,11 @@
-#include "percal/calibrate/reading_findings.hpp"
+#include "percal/calibrate/hypothesis_findings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "percal/calibrate/reading.hpp"
+#include "percal/calibrate/hypothesis.hpp"
 
 namespace percal {
 namespace {
@@ -44,7 +44,7 @@ void scatter_alone(const CalibrationJob& job, const JobFit& fit, std::vector<std
   }
 }
 
-void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, const ReadingResult& result,
+void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, const HypothesisResult& result,
                                std::vector<std::string>& sentences) {
   for (std::size_t k = 0; k < result.parameters.size(); ++k) {
     const auto& parameter = job.parameters[result.parameters[k]];
@@ -60,10 +60,10 @@ void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, con
   }
 }
 
-// A curve's modulus is what the reading takes the job's moduli for: mu, or MU1.
-void moduli_beside_curves(const CalibrationReading& reading, const ReadingResult& result,
+// A curve's modulus is what the hypothesis takes the job's moduli for: mu, or MU1.
+void moduli_beside_curves(const Hypothesis& hypothesis, const HypothesisResult& result,
                           std::vector<std::string>& sentences) {
-  const bool is_mu1 = reading.convention == ModulusConvention::mu_over_alpha;
+  const bool is_mu1 = hypothesis.convention == ModulusConvention::mu_over_alpha;
   for (const MaterialModuli& m : result.moduli) {
     if (!m.curve_modulus) continue;
     const Estimate& needed = is_mu1 ? m.mu_over_alpha : m.mu_true;
@@ -85,11 +85,11 @@ void synthetic_curves(const CalibrationJob& job, std::vector<std::string>& sente
 
 }  // namespace
 
-std::vector<std::string> reading_findings(const CalibrationJob& job, const JobModel&, const JobFit& fit,
-                                          const ReadingResult& result) {
+std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const JobModel&, const JobFit& fit,
+                                             const HypothesisResult& result) {
   std::vector<std::string> sentences = findings(fit.problem, fit.minima, result.intervals);
   erosion_in_other_measures(job, fit, result, sentences);
-  moduli_beside_curves(job.readings[result.reading], result, sentences);
+  moduli_beside_curves(job.hypotheses[result.index], result, sentences);
   scatter_alone(job, fit, sentences);
   for (const ErrorBudget& budget : result.budgets)
     sentences.push_back(fmt::format("{} hangs most on {}: {:+.2g} % for each per cent of that depth.", budget.quantity,
@@ -100,15 +100,15 @@ std::vector<std::string> reading_findings(const CalibrationJob& job, const JobMo
 
 namespace {
 
-// A reading that holds a number is set beside the first one that leaves it free.
+// A hypothesis that holds a number is set beside the first one that leaves it free.
 void held_against_free(const CalibrationJob& job, const CalibrationResult& result,
                        std::vector<std::string>& sentences) {
-  for (const ReadingResult& holding : result.readings)
-    for (const auto& [parameter, value] : job.readings[holding.reading].held)
-      for (const ReadingResult& freeing : result.readings) {
+  for (const HypothesisResult& holding : result.hypotheses)
+    for (const auto& [parameter, value] : job.hypotheses[holding.index].held)
+      for (const HypothesisResult& freeing : result.hypotheses) {
         const auto place = std::find(freeing.parameters.begin(), freeing.parameters.end(), parameter);
-        const auto& a = job.readings[holding.reading];
-        const auto& b = job.readings[freeing.reading];
+        const auto& a = job.hypotheses[holding.index];
+        const auto& b = job.hypotheses[freeing.index];
         if (place == freeing.parameters.end() || a.convention != b.convention ||
             a.contact_stiffness != b.contact_stiffness)
           continue;
@@ -126,39 +126,39 @@ void held_against_free(const CalibrationJob& job, const CalibrationResult& resul
 
 void fresh_against_emulated(const CalibrationJob& job, const CalibrationResult& result,
                             std::vector<std::string>& sentences) {
-  for (const ReadingResult& reading : result.readings) {
+  for (const HypothesisResult& hypothesis : result.hypotheses) {
     const auto failed =
-        std::count_if(reading.fresh.begin(), reading.fresh.end(), [](const auto& r) { return !r.depth; });
-    const auto count = static_cast<long>(reading.fresh.size()) - failed;
+        std::count_if(hypothesis.fresh.begin(), hypothesis.fresh.end(), [](const auto& r) { return !r.depth; });
+    const auto count = static_cast<long>(hypothesis.fresh.size()) - failed;
     if (count == 0) continue;
-    const double off = spread(reading.fresh);
+    const double off = spread(hypothesis.fresh);
     sentences.push_back(
         fmt::format("\"{}\": {} fresh runs on {} elements per radius lie {:.2g} of the emulator's stated errors from "
                     "it (1 is right{}){}.",
-                    job.readings[reading.reading].name, count, job.training.verify, off,
+                    job.hypotheses[hypothesis.index].name, count, job.training.verify, off,
                     off > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
                     failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
   }
 }
 
-// Quasi-static E over the readings: what the choices alone are worth.
-void spread_over_readings(const CalibrationJob& job, const CalibrationResult& result,
-                          std::vector<std::string>& sentences) {
+// Quasi-static E over the hypotheses: what the choices alone are worth.
+void spread_over_hypotheses(const CalibrationJob& job, const CalibrationResult& result,
+                            std::vector<std::string>& sentences) {
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
     double low = 0, high = 0;
     int count = 0;
-    for (const ReadingResult& reading : result.readings) {
-      if (m >= reading.moduli.size() || !reading.moduli[m].youngs_quasi_static_true) continue;
-      const double e = reading.moduli[m].youngs_quasi_static_true->value;
+    for (const HypothesisResult& hypothesis : result.hypotheses) {
+      if (m >= hypothesis.moduli.size() || !hypothesis.moduli[m].youngs_quasi_static_true) continue;
+      const double e = hypothesis.moduli[m].youngs_quasi_static_true->value;
       low = count == 0 ? e : std::min(low, e);
       high = count == 0 ? e : std::max(high, e);
       ++count;
     }
     if (count > 1)
-      sentences.push_back(
-          fmt::format("{}: the readings put the quasi-static E = 3 mu between {:.3g} and {:.3g} MPa: a choice that the "
-                      "depths do not settle.",
-                      job.materials[m].name, low / 1e6, high / 1e6));
+      sentences.push_back(fmt::format(
+          "{}: the hypotheses put the quasi-static E = 3 mu between {:.3g} and {:.3g} MPa: a choice that the "
+          "depths do not settle.",
+          job.materials[m].name, low / 1e6, high / 1e6));
   }
 }
 
@@ -168,20 +168,20 @@ void closed_form_beside(const CalibrationJob& job, const CalibrationResult& resu
   int tasks = 0, better = 0;
   std::string where;
   const auto compare = [&](const CrossValidationResult& ours, const std::vector<CrossValidationResult>& all,
-                           const std::string& reading) {
+                           const std::string& hypothesis) {
     for (const CrossValidationResult& theirs : all) {
       if (ours.name != theirs.name || ours.prediction.shots == 0) continue;
       ++tasks;
       if (theirs.prediction.mean_absolute >= ours.prediction.mean_absolute) continue;
       ++better;
       where += fmt::format("{}\"{}\" ({:.3g} % against {:.3g} % of \"{}\")", where.empty() ? "" : ", ", ours.name,
-                           100 * theirs.prediction.mean_absolute, 100 * ours.prediction.mean_absolute, reading);
+                           100 * theirs.prediction.mean_absolute, 100 * ours.prediction.mean_absolute, hypothesis);
     }
   };
-  for (const ReadingResult& reading : result.readings) {
-    const std::string& name = job.readings[reading.reading].name;
-    for (const auto& ours : reading.cross_validations) compare(ours, result.dehn->cross_validations, name);
-    for (const auto& ours : reading.leave_one_out) compare(ours, result.dehn->leave_one_out, name);
+  for (const HypothesisResult& hypothesis : result.hypotheses) {
+    const std::string& name = job.hypotheses[hypothesis.index].name;
+    for (const auto& ours : hypothesis.cross_validations) compare(ours, result.dehn->cross_validations, name);
+    for (const auto& ours : hypothesis.leave_one_out) compare(ours, result.dehn->leave_one_out, name);
   }
   if (tasks == 0) return;
   sentences.push_back(
@@ -194,7 +194,7 @@ void closed_form_beside(const CalibrationJob& job, const CalibrationResult& resu
 std::vector<std::string> overall_findings(const CalibrationJob& job, const CalibrationResult& result) {
   std::vector<std::string> sentences;
   held_against_free(job, result, sentences);
-  spread_over_readings(job, result, sentences);
+  spread_over_hypotheses(job, result, sentences);
   fresh_against_emulated(job, result, sentences);
   closed_form_beside(job, result, sentences);
   return sentences;

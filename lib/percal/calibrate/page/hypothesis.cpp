@@ -1,4 +1,4 @@
-// One reading of a calibration: parameters, minima, profiles, curves, depths, fresh runs, error budget, advice.
+// One hypothesis of a calibration: parameters, minima, profiles, curves, depths, fresh runs, error budget, advice.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,17 +15,11 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 constexpr double next_to_nothing = 0.002;  // of a variance
 constexpr std::size_t most_advice = 6;
 
-// The value under KEY_Pa, else under KEY.
-const Json& with_or_without_unit(const Json& object, const std::string& key) {
-  const Json& pascals = at(object, key + "_Pa");
-  return pascals.is_null() ? at(object, key) : pascals;
-}
-
-Table parameter_table(const Json& result, const Json& reading) {
+Table parameter_table(const Json& result, const Json& hypothesis) {
   Table table{.caption = "Parameters at the best minimum",
-                  .rows = {{"parameter", "value", level_words(result) + " interval", "bootstrap", "remark"}},
-                  .notes = {}};
-  for (const Json& one : list(reading, "parameters")) {
+              .rows = {{"parameter", "value", level_words(result) + " interval", "bootstrap", "remark"}},
+              .notes = {}};
+  for (const Json& one : list(hypothesis, "parameters")) {
     std::string remark = yes(one, "at_bound") ? "at its bound" : "";
     const Json& identifiable = at(one, "identifiable");
     if (identifiable.is_boolean() && !identifiable.get<bool>())
@@ -33,14 +27,14 @@ Table parameter_table(const Json& result, const Json& reading) {
     table.rows.push_back({text(one, "name"), value_words(one, "value"), interval_words(one, "interval"),
                           interval_words(one, "bootstrap_interval"), remark});
   }
-  for (const Json& one : list(reading, "held"))
+  for (const Json& one : list(hypothesis, "held"))
     table.rows.push_back({text(one, "name"), value_words(one, "value"), "held", "-", ""});
   table.notes.push_back("Intervals by the profile likelihood.");
   return table;
 }
 
-Table minima_table(const Json& reading) {
-  const Json& minima = list(reading, "minima");
+Table minima_table(const Json& hypothesis) {
+  const Json& minima = list(hypothesis, "minima");
   Table table{.caption = "Minima", .rows = {{"parameter"}}, .notes = {}};
   if (minima.empty()) return table;
   std::vector<std::string> above{"deviance above the best"};
@@ -64,16 +58,16 @@ Table minima_table(const Json& reading) {
 }
 
 // Every parameter over its best value, so that all share a figure.
-Figure profile_figure(const Json& result, const Json& reading, int number_of_reading) {
+Figure profile_figure(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   Chart chart{.title = "Profile likelihoods",
               .x = {.label = "parameter over its best value"},
               .y = {.label = "rise of the objective", .low = 0, .high = 10}};
   int colour = 0;
   std::string flat, known;
-  for (const Json& one : list(reading, "parameters")) {
-    const auto best = number(with_or_without_unit(one, "value"));
+  for (const Json& one : list(hypothesis, "parameters")) {
+    const auto best = number(with_unit(one, "value"));
     const Json& profile = at(one, "profile");
-    const auto values = numbers(with_or_without_unit(profile, "value")), rises = numbers(at(profile, "rise"));
+    const auto values = numbers(with_unit(profile, "value")), rises = numbers(at(profile, "rise"));
     Series line = series(text(one, "name"), Mark::line, colour++);
     if (!best || *best == 0) continue;
     for (std::size_t i = 0; i < std::min(values.size(), rises.size()); ++i)
@@ -93,7 +87,7 @@ Figure profile_figure(const Json& result, const Json& reading, int number_of_rea
   std::string caption = "How much the fit worsens when one parameter is held and all others are fitted anew.";
   if (!flat.empty()) caption += " Too flat to be known: " + flat + ".";
   if (!known.empty()) caption += " Known within " + level_words(result) + " intervals: " + known + ".";
-  return {.name = fmt::format("profiles_{}", number_of_reading),
+  return {.name = fmt::format("profiles_{}", number_of_hypothesis),
           .caption = caption,
           .alt = fmt::format(
               "Rise of the objective against {} parameters over their best values; steep curves are well known "
@@ -102,12 +96,12 @@ Figure profile_figure(const Json& result, const Json& reading, int number_of_rea
           .chart = chart};
 }
 
-Table set_table(const Json& result, const Json& reading) {
+Table set_table(const Json& result, const Json& hypothesis) {
   Table table{
       .caption = "Depths by set: model over measured, less 1",
       .rows = {{"set", "shots", "mean size", "signed mean", "within " + level_words(result), "Dehn's mean size"}},
       .notes = {}};
-  for (const Json& set : list(reading, "sets")) {
+  for (const Json& set : list(hypothesis, "sets")) {
     std::string dehn = "-";
     for (const Json& theirs : list(at(result, "dehn"), "sets"))
       if (text(theirs, "name") == text(set, "name")) dehn = percent(number(theirs, "mean_deviation"));
@@ -119,12 +113,12 @@ Table set_table(const Json& result, const Json& reading) {
   return table;
 }
 
-Figure fresh_figure(const Json& result, const Json& reading, int number_of_reading) {
+Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   Series runs = series("fresh runs", Mark::points, 0);
   int within = 0;
   double finest = nowhere, low = HUGE_VAL, high = 0;
   const Json& shots = list(at(result, "data"), "shots");
-  for (const Json& run : list(reading, "fresh_runs")) {
+  for (const Json& run : list(hypothesis, "fresh_runs")) {
     const auto shot = static_cast<std::size_t>(std::max(number_or(run, "shot", 0), 0.0));
     const auto z = number(run, "standardised_difference");
     if (!z || shot >= shots.size()) continue;
@@ -147,7 +141,7 @@ Figure fresh_figure(const Json& result, const Json& reading, int number_of_readi
       add(chart, std::move(limit));
     }
   add(chart, std::move(runs));
-  return {.name = fmt::format("fresh_{}", number_of_reading),
+  return {.name = fmt::format("fresh_{}", number_of_hypothesis),
           .caption = fmt::format(
               "The fitted shots run again at the best point on {} elements per radius: {} of {} lie within two "
               "of the emulator's stated standard errors.",
@@ -158,8 +152,8 @@ Figure fresh_figure(const Json& result, const Json& reading, int number_of_readi
 }
 
 // Sources as rows, quantities as columns: shares of each quantity's variance.
-Table budget_table(const Json& result, const Json& reading) {
-  const Json& budgets = list(reading, "error_budgets");
+Table budget_table(const Json& result, const Json& hypothesis) {
+  const Json& budgets = list(hypothesis, "error_budgets");
   Table table{.caption = "Where the errors come from: shares of the variance", .rows = {{"source"}}, .notes = {}};
   std::vector<std::string> sources;
   std::map<std::string, std::map<std::string, double>> shares;  // by quantity and source
@@ -200,11 +194,11 @@ Table budget_table(const Json& result, const Json& reading) {
   return table;
 }
 
-Table advice_table(const Json& reading) {
+Table advice_table(const Json& hypothesis) {
   Table table{
       .caption = "What to measure next", .rows = {{"measurement", "interval afterwards over now"}}, .notes = {}};
   std::map<std::string, std::size_t> of_quantity;  // the best few for each
-  for (const Json& one : list(reading, "advice")) {
+  for (const Json& one : list(hypothesis, "advice")) {
     const std::string measurement = text(one, "measurement");
     if (++of_quantity[measurement.substr(0, measurement.find(':'))] > most_advice) continue;
     table.rows.push_back({measurement, shown(number(one, "interval_width_ratio"), 3)});
@@ -214,44 +208,25 @@ Table advice_table(const Json& reading) {
 
 }  // namespace
 
-std::string value_words(const Json& object, const std::string& key) {
-  if (const auto pascals = number(object, key + "_Pa")) return pressure(pascals, 3);
-  return shown(number(object, key), 3);
-}
-
-std::string interval_words(const Json& object, const std::string& key) {
-  const Json& interval = with_or_without_unit(object, key);
-  if (!interval.is_object()) return "-";
-  const bool pascals = at(object, key + "_Pa").is_object();
-  const auto end = [&](const char* name) {
-    return pascals ? pressure(number(interval, name), 3) : shown(number(interval, name), 3);
-  };
-  if (number(interval, "low") == number(interval, "high")) return "held";
-  return fmt::format("{}{} to {}{}", yes(interval, "low_open") ? "below " : "", end("low"),
-                     yes(interval, "high_open") ? "above " : "", end("high"));
-}
-
-std::string level_words(const Json& result) { return fmt::format("{:.3g} %", 100 * number_or(result, "level", 0.95)); }
-
-Section reading_section(const Json& result, const Json& reading, int number_of_reading) {
-  Section section{.id = fmt::format("reading-{}", number_of_reading),
-                      .title = fmt::format("Reading {}: {}", number_of_reading, text(reading, "name")),
-                      .blocks = {}};
-  add(section, parameter_table(result, reading));
-  add(section, minima_table(reading));
-  add(section, profile_figure(result, reading, number_of_reading));
-  for (Figure& figure : curve_figures(result, reading, number_of_reading)) add(section, std::move(figure));
-  add(section, depths_figure(result, reading, number_of_reading));
-  add(section, set_table(result, reading));
-  add(section, fresh_figure(result, reading, number_of_reading));
-  if (const auto deviation = number(reading, "fresh_mean_deviation"))
+Section hypothesis_section(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
+  Section section{.id = fmt::format("hypothesis-{}", number_of_hypothesis),
+                  .title = fmt::format("Hypothesis {}: {}", number_of_hypothesis, text(hypothesis, "name")),
+                  .blocks = {}};
+  add(section, parameter_table(result, hypothesis));
+  add(section, minima_table(hypothesis));
+  add(section, profile_figure(result, hypothesis, number_of_hypothesis));
+  for (Figure& figure : curve_figures(result, hypothesis, number_of_hypothesis)) add(section, std::move(figure));
+  add(section, depths_figure(result, hypothesis, number_of_hypothesis));
+  add(section, set_table(result, hypothesis));
+  add(section, fresh_figure(result, hypothesis, number_of_hypothesis));
+  if (const auto deviation = number(hypothesis, "fresh_mean_deviation"))
     add_sentence(section,
-                  fmt::format("The fresh runs lie {} from the measured depths in the mean. Extrapolated to no mesh the "
-                              "depths would change by {}.",
-                              percent(deviation), signed_percent(number(reading, "mesh_error"), 2)));
-  add(section, budget_table(result, reading));
-  add(section, advice_table(reading));
-  const auto findings = texts(at(reading, "findings"));
+                 fmt::format("The fresh runs lie {} from the measured depths in the mean. Extrapolated to no mesh the "
+                             "depths would change by {}.",
+                             percent(deviation), signed_percent(number(hypothesis, "mesh_error"), 2)));
+  add(section, budget_table(result, hypothesis));
+  add(section, advice_table(hypothesis));
+  const auto findings = texts(at(hypothesis, "findings"));
   if (!findings.empty()) section.blocks.push_back(List{findings});
   return section;
 }
