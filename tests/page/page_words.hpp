@@ -6,14 +6,23 @@
 
 namespace percal::test {
 
+using page::Block;
+using page::Code;
+using page::Figure;
+using page::List;
+using page::Page;
+using page::Section;
+using page::Sentence;
+using page::Table;
+
 // Every text of a section's blocks, a line each; cells of a table's row are joined by " | ".
 inline std::string words_of(const Section& section) {
   std::string words;
   const auto line = [&](const std::string& text) { words += text + "\n"; };
   for (const Block& block : section.blocks) {
-    if (const auto* paragraph = std::get_if<Sentence>(&block)) line(paragraph->text);
-    if (const auto* bullets = std::get_if<List>(&block))
-      for (const auto& item : bullets->items) line(item);
+    if (const auto* sentence = std::get_if<Sentence>(&block)) line(sentence->text);
+    if (const auto* list = std::get_if<List>(&block))
+      for (const auto& item : list->items) line(item);
     if (const auto* table = std::get_if<Table>(&block)) {
       line(table->caption);
       for (const auto& row : table->rows) {
@@ -24,25 +33,25 @@ inline std::string words_of(const Section& section) {
       for (const auto& note : table->notes) line(note);
     }
     if (const auto* figure = std::get_if<Figure>(&block)) line(figure->caption);
-    if (const auto* kept = std::get_if<Code>(&block)) line(kept->text);
+    if (const auto* code = std::get_if<Code>(&block)) line(code->text);
   }
   return words;
 }
 
-inline std::string words_of(const Page& page) {
-  std::string words = page.title + "\n" + page.summary + "\n";
-  for (const Section& section : page.sections) words += words_of(section);
+inline std::string words_of(const Page& whole) {
+  std::string words = whole.title + "\n" + whole.summary + "\n";
+  for (const Section& section : whole.sections) words += words_of(section);
   return words;
 }
 
-inline const Section* section_of(const Page& page, const std::string& id) {
-  for (const Section& section : page.sections)
+inline const Section* section_of(const Page& whole, const std::string& id) {
+  for (const Section& section : whole.sections)
     if (section.id == id) return &section;
   return nullptr;
 }
 
-inline const Figure* figure_of(const Page& page, const std::string& name) {
-  for (const Section& section : page.sections)
+inline const Figure* figure_of(const Page& whole, const std::string& name) {
+  for (const Section& section : whole.sections)
     for (const Block& block : section.blocks)
       if (const auto* figure = std::get_if<Figure>(&block); figure && figure->name == name) return figure;
   return nullptr;

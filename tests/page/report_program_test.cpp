@@ -53,10 +53,16 @@ TEST_F(Report, WithoutGnuplotThePointsAreInTables) {
 }
 
 TEST_F(Report, WhatIsNoResultIsRefused) {
-  const std::pair<std::string, std::string> cases[] = {{write("a.json", "{\"schema\": 1"), "no JSON"},
-                                                       {write("b.json", "[1]"), "JSON that is no object"},
-                                                       {write("c.json", "{}"), "schema: found nothing; accepted: 1"},
-                                                       {path("nowhere.json"), "nowhere.json"}};
+  const std::pair<std::string, std::string> cases[] = {
+      {write("a.json", "{\"schema\": 2"), "no JSON"},
+      {write("b.json", "[1]"), "JSON that is no object"},
+      {write("c.json", "{}"), "schema: found nothing; accepted: 2"},
+      {write("d.json", "{\"schema\": 1, \"command\": \"fit\"}"), "d.json: schema: found 1; accepted: 2"},
+      {write("e.json", "{\"schema\": 2, \"command\": \"impact\"}"),
+       "found nothing; accepted: a value, as every result of percal impact"},
+      {write("f.json", "{\"schema\": 2, \"command\": \"cook\"}"),
+       "command: found \"cook\"; accepted: a result of fit, scale"},
+      {path("nowhere.json"), "nowhere.json"}};
   for (const auto& [file, words] : cases) {
     const Ended ended = run({"report", file, "-o", "page.html"});
     EXPECT_EQ(ended.code, 2) << file;
