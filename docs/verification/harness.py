@@ -93,12 +93,12 @@ class Program:
         self.level = self.version = ""
         self.cpu = 0.0  # s, of all impacts
 
-    def run(self, *words, level=None):
-        return output([self.path, *words], self.folder, at_level(level), accepted=(0, 3))  # 3: an outcome to look at, which the answer states
+    def run(self, *words, level=None, accepted=(0,)):
+        return output([self.path, *words], self.folder, at_level(level), accepted)
 
-    def ask(self, *words, level=None):
-        """What a command answers in JSON."""
-        answer = json.loads(self.run(*words, "--json", level=level))
+    def ask(self, *words, level=None, accepted=(0, 3)):
+        """What a command answers in JSON. Exit code 3: an outcome to look at, which the answer states."""
+        answer = json.loads(self.run(*words, "--json", level=level, accepted=accepted))
         self.level, self.version = answer.get("isa", self.level), answer.get("percal", self.version)
         return answer
 

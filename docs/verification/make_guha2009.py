@@ -111,7 +111,7 @@ def mesh_study(program):
 
 
 def page(program):
-    result = program.ask("identify", THESIS / "skin.toml", "--out", program.folder, *program.kept())
+    result = program.ask("identify", THESIS / "skin.toml", "--out", program.folder, *program.kept(), accepted=(0,))
     scale = program.ask("scale", THESIS / "similar.toml", "--write-scene", program.folder / "model.toml")
     square, rhombus = prisms()
     mesh, mesh_rows = mesh_study(program)
