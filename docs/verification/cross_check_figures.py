@@ -2,6 +2,8 @@
 import math
 from dataclasses import dataclass
 
+S = 6.6478  # pi4 of setting S: 1000 kg/m3 (651 m/s)^2/63.75 MPa
+
 
 @dataclass(frozen=True)
 class Figures:
@@ -67,3 +69,11 @@ RIDGE_OTHER = (26.0, 30.2, 28.0, 27.4, 26.4, 29.8)
 GOLD_OTHER = (11.50, 15.29, 20.26, 13.73, 19.83, 26.03, 19.14, 26.21, 33.48)
 GELATIN_OTHER = {464: (1.48, 3.56, 4.12, 5.15), 1010: (1.43, 2.81, 3.37, 4.26)}
 GELATIN_LS_DYNA = {83: 4.19}
+OPENRADIOSS = (  # title, pi4, erosion, nodes, (mesh, OpenRadioss, the other code), ...; no mesh: not given
+    ("setting S", S, 0.7, "released", (7, "25.9 to 26.9", "27.9"), (10, "24.5", "26.3")),
+    ("55 MPa, 0.3", 1.81303, 0.3, "released", (7, "23.9", "26.4"), (10, "26.6", "25.9")),
+    ("10 MPa, 0.8", 9.9717, 0.8, "released", (None, "28.3", "31.2")),
+    ("422 m/s", 2.79347, 0.7, "released", (7, "12.6", "14.9"), (10, "12.4", "13.1")),
+    ("775 m/s", 9.42157, 0.7, "released", (7, "34.5", "37.7")),
+    ("eroded nodes in contact", S, 0.7, "in contact", (None, "23.7", "24.1")),
+)

@@ -1,5 +1,5 @@
 """The figures of docs/verification/guha2009.md, drawn by gnuplot: measured filled, percal open, in the colour of the material."""
-import subprocess
+from harness import data_block, draw
 
 COLOURS = {"steel 3.18": "#1b6ca8", "steel 2.39": "#3a9d9d", "steel 1.59": "#7aa6d1", "titanium": "#8a5fa8", "tungsten carbide": "#c8553d", "PMMA": "#b8860b"}
 DENSITY = {"steel": 7800, "titanium": 4540, "tungsten carbide": 15600, "PMMA": 1150}
@@ -20,11 +20,9 @@ class Figures:
 
     def draw(self, name, title, x, y, series, extra=""):
         """series: (title, rows of numbers, gnuplot's `with ...`)."""
-        blocks = "".join(f"$d{k} << EOD\n" + "\n".join(" ".join(f"{v:.7g}" for v in row) for row in rows) + "\nEOD\n" for k, (_, rows, _) in enumerate(series))
+        blocks = "".join(data_block(f"d{k}", rows) for k, (_, rows, _) in enumerate(series))
         plots = ", \\\n  ".join(f"$d{k} {how} " + (f'title "{label}"' if label else "notitle") for k, (label, _, how) in enumerate(series))
-        script = f"""set terminal svg size 760,440 font "sans,13" background rgb "white"
-set output "{self.folder / name}.svg"
-set border 3 lw 0.8
+        draw(self.folder / f"{name}.svg", f"""set border 3 lw 0.8
 set tics nomirror out
 set key outside right top samplen 1.5 spacing 1.2
 set title "{title}"
@@ -32,8 +30,7 @@ set xlabel "{x}"
 set ylabel "{y}"
 {extra}
 {blocks}plot {plots}
-"""
-        subprocess.run(["gnuplot"], input=script, text=True, check=True)
+""")
 
     def trend(self, points):
         """Both ends of the line through the first two numbers of each point."""
@@ -41,7 +38,7 @@ set ylabel "{y}"
         return [(end, start + slope * end) for end in (min(q[0] for q in points), max(q[0] for q in points))]
 
     def mesh(self, found):
-        one = [(r["elements"], 1e6 * r["depth_m"], 1e6 * (r["depth_spread_m"] or 0)) for _, r in found]
+        one = [(r.elements, 1e6 * r.depth, 1e6 * (r.spread or 0)) for _, r in found]
         self.draw("guha2009_3_5", "Figure 3-5: gold, 580 m/s, 4.2 MPa, erosion strain 0.6", "elements in the skin layer", "depth, um",
                   [("percal (bars: spread of three runs)", one, 'using 1:2:3 with yerrorlines pt 7 ps 0.8 lc rgb "#1b6ca8"')], "set xrange [0:230000]\nset xtics 50000\nset yrange [55:75]")
 
@@ -107,13 +104,13 @@ set ylabel "{y}"
             ("scaled line, printed", [(x(r), r["scaled_um"]) for r in rows], 'with points pt 6 ps 1.1 lw 1.4 lc rgb "#c8553d"')])
 
     def prism(self, name, title, shots, results):
-        depths = [100 * r["depth_m"] if r["depth_m"] else None for r in results]
+        depths = [100 * r.depth if r.depth else None for r in results]
         speeds = [s["velocity_m_s"] for s in shots]
         measured = [(s["velocity_m_s"], s["penetration_cm"]) for s in shots]
         self.draw(name, f"Figure {name[-3]}-{name[-1]}: {title}", "speed, m/s", "depth, cm", [
             ("measured", measured, 'with points pt 7 ps 1.1 lc rgb "#1b6ca8"'),
             ("its line", self.trend(measured), 'with lines lc rgb "#1b6ca8"'),
             ("LS-DYNA", [(s["velocity_m_s"], s["fe_cm"]) for s in shots], 'with points pt 2 ps 1.1 lw 1.4 lc rgb "#c8553d"'),
-            ("percal", [(s["velocity_m_s"], d, 100 * (r["depth_standard_error_m"] or 0)) for s, d, r in zip(shots, depths, results) if d],
+            ("percal", [(s["velocity_m_s"], d, 100 * (r.error or 0)) for s, d, r in zip(shots, depths, results) if d],
              'using 1:2:3 with yerrorbars pt 6 ps 1.1 lw 1.4 lc rgb "#4d8f3c"')],
             f"set xrange [{min(speeds) - 3:g}:{max(speeds) + 3:g}]\nset yrange [0:]")

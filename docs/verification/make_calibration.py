@@ -8,21 +8,15 @@ import json
 import math
 import pathlib
 import shutil
-import sys
 
-from machine import processor
+from harness import command_line, figures_of, percent, processor, table
 
-HERE = pathlib.Path(__file__).resolve().parent
-FIGURES = HERE.parent / "figures"
+HYPOTHESIS = "reading"  # the page's word
 
 
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "| " + " | ".join("---" for _ in head) + " |"]
-    return "\n".join(lines + ["| " + " | ".join(str(c) for c in row) + " |" for row in rows]) + "\n"
-
-
-def percent(x, digits=1):
-    return "-" if x is None else f"{100 * x:.{digits}f} %"
+def hypotheses(result):
+    """Of docs/formats/calibrate.md: what the result says under each set of assumptions."""
+    return result["readings"]
 
 
 def pressure(x):
@@ -47,43 +41,43 @@ def mean_deviation(shots, labels=None, fitted=None):
     return sum(picked) / len(picked) if picked else None
 
 
-def fresh_deviation(result, reading, labels, set_name):
+def fresh_deviation(result, hypothesis, labels, set_name):
     shots = result["data"]["shots"]
-    picked = [abs(f["depth_m"] / shots[f["shot"]]["measured_m"] - 1) for f in reading["fresh_runs"]
+    picked = [abs(f["depth_m"] / shots[f["shot"]]["measured_m"] - 1) for f in hypothesis["fresh_runs"]
               if f["depth_m"] and shots[f["shot"]]["measured_m"] and f["label"].startswith(labels) and shots[f["shot"]]["set"] == set_name]
     return sum(picked) / len(picked) if picked else None
 
 
-def of_set(result, reading, name):
+def of_set(result, hypothesis, name):
     shots = result["data"]["shots"]
-    return [s for s in reading["shots"] if shots[s["shot"]]["set"] == name]
+    return [s for s in hypothesis["shots"] if shots[s["shot"]]["set"] == name]
 
 
-def reading_rows(result):
+def hypothesis_rows(result):
     rows = []
-    for reading in result["readings"]:
-        gel, gold = of_set(result, reading, "Table 4-3"), of_set(result, reading, "gold in skin")
-        loo = reading["leave_one_out"][0] if reading["leave_one_out"] else None
-        rows.append([reading["name"], percent(mean_deviation(gel)), percent(fresh_deviation(result, reading, "", "Table 4-3")),
-                     percent(mean_deviation(gel, "steel")), percent(fresh_deviation(result, reading, "steel", "Table 4-3")),
+    for hypothesis in hypotheses(result):
+        gel, gold = of_set(result, hypothesis, "Table 4-3"), of_set(result, hypothesis, "gold in skin")
+        loo = hypothesis["leave_one_out"][0] if hypothesis["leave_one_out"] else None
+        rows.append([hypothesis["name"], percent(mean_deviation(gel)), percent(fresh_deviation(result, hypothesis, "", "Table 4-3")),
+                     percent(mean_deviation(gel, "steel")), percent(fresh_deviation(result, hypothesis, "steel", "Table 4-3")),
                      percent(mean_deviation(gold)), percent(loo["prediction"]["mean_deviation"]) if loo else "-",
                      f"{sum(s['low_m'] <= m <= s['high_m'] for s, m in zip(gold, [result['data']['shots'][s['shot']]['measured_m'] for s in gold]))} of {len(gold)}"])
     return rows
 
 
 def cross_rows(result):
-    names = [c["name"] for c in result["readings"][0]["cross_validations"]]
+    names = [c["name"] for c in hypotheses(result)[0]["cross_validations"]]
     dehn = {c["name"]: c for c in result["dehn"]["cross_validations"]} if result["dehn"] else {}
     rows = []
     for i, name in enumerate(names):
-        goal = result["readings"][0]["cross_validations"][i].get("goal")
-        row = [name, percent(goal, 0) if goal else "-"]
-        row += [percent(r["cross_validations"][i]["prediction"]["mean_deviation"]) for r in result["readings"] if r["cross_validations"]]
+        goal = hypotheses(result)[0]["cross_validations"][i].get("goal")
+        row = [name, percent(goal, ".0f") if goal else "-"]
+        row += [percent(r["cross_validations"][i]["prediction"]["mean_deviation"]) for r in hypotheses(result) if r["cross_validations"]]
         row.append(percent(dehn[name]["prediction"]["mean_deviation"]) if name in dehn else "-")
         rows.append(row)
-    if result["readings"][0]["leave_one_out"]:
-        row = [result["readings"][0]["leave_one_out"][0]["name"], "-"]
-        row += [percent(r["leave_one_out"][0]["prediction"]["mean_deviation"]) for r in result["readings"] if r["leave_one_out"]]
+    if hypotheses(result)[0]["leave_one_out"]:
+        row = [hypotheses(result)[0]["leave_one_out"][0]["name"], "-"]
+        row += [percent(r["leave_one_out"][0]["prediction"]["mean_deviation"]) for r in hypotheses(result) if r["leave_one_out"]]
         row.append(percent(result["dehn"]["leave_one_out"][0]["prediction"]["mean_deviation"]) if result["dehn"] else "-")
         rows.append(row)
     return rows
@@ -91,19 +85,19 @@ def cross_rows(result):
 
 def parameter_rows(result):
     rows = []
-    for reading in result["readings"]:
-        for p in reading["parameters"]:
+    for hypothesis in hypotheses(result):
+        for p in hypothesis["parameters"]:
             key = next(k for k in p if k.startswith("value"))
             show = pressure if key.endswith("Pa") else (lambda x: f"{x:.3g}")
-            rows.append([reading["name"], p["name"], show(p[key]), interval(p, show), "yes" if p["identifiable"] else "no"])
+            rows.append([hypothesis["name"], p["name"], show(p[key]), interval(p, show), "yes" if p["identifiable"] else "no"])
     return rows
 
 
 def moduli_rows(result):
     rows = []
-    for reading in result["readings"]:
-        for m in reading["moduli"]:
-            rows.append([reading["name"], m["material"], estimate(m["mu_true"]), estimate(m["mu_over_alpha"]),
+    for hypothesis in hypotheses(result):
+        for m in hypothesis["moduli"]:
+            rows.append([hypothesis["name"], m["material"], estimate(m["mu_true"]), estimate(m["mu_over_alpha"]),
                          pressure(m["curve_mu_true_Pa"]),
                          estimate(m["youngs_quasi_static_true"]) if m["youngs_quasi_static_true"] else "-"])
     return rows
@@ -111,26 +105,26 @@ def moduli_rows(result):
 
 def budget_rows(result, quantity):
     rows = []
-    for reading in result["readings"]:
-        for budget in reading["error_budgets"]:
+    for hypothesis in hypotheses(result):
+        for budget in hypothesis["error_budgets"]:
             if budget["quantity"] != quantity:
                 continue
             for source in budget["sources"]:
                 if source["share"] > 0.005:
-                    rows.append([reading["name"], source["name"], percent(source["standard_deviation"]), percent(source["share"], 0)])
+                    rows.append([hypothesis["name"], source["name"], percent(source["standard_deviation"]), percent(source["share"], ".0f")])
     return rows
 
 
 def single_particle_text(result):
     """What the skin's modulus would carry if the gold depth were known to 18 um only, as single particles scatter, in place of 0.90 um."""
     lines = []
-    for reading in result["readings"]:
-        for budget in reading["error_budgets"]:
+    for hypothesis in hypotheses(result):
+        for budget in hypothesis["error_budgets"]:
             if budget["quantity"] != "quasi-static E of skin":
                 continue
             anchor = next((s for s in budget["sources"] if s["name"] == "measured depth: gold in skin"), None)
             if anchor and anchor["standard_deviation"]:
-                lines.append(f"{reading['name']}: {percent(anchor['standard_deviation'])} with 0.90 um, {percent(anchor['standard_deviation'] * 18 / 0.9, 0)} with 18 um")
+                lines.append(f"{hypothesis['name']}: {percent(anchor['standard_deviation'])} with 0.90 um, {percent(anchor['standard_deviation'] * 18 / 0.9, '.0f')} with 18 um")
     return "; ".join(lines)
 
 
@@ -155,17 +149,17 @@ def round_rows(result):
 
 def fresh_rows(result):
     rows = []
-    for reading in result["readings"]:
-        z = [f["standardised_difference"] for f in reading["fresh_runs"] if f["standardised_difference"] is not None]
+    for hypothesis in hypotheses(result):
+        z = [f["standardised_difference"] for f in hypothesis["fresh_runs"] if f["standardised_difference"] is not None]
         if z:
-            rows.append([reading["name"], reading["fresh_runs"][0]["elements_per_radius"], len(z), f"{math.sqrt(sum(x * x for x in z) / len(z)):.2f}",
-                         f"{max(z, key=abs):+.1f}", percent(reading["mesh_error"])])
+            rows.append([hypothesis["name"], hypothesis["fresh_runs"][0]["elements_per_radius"], len(z), f"{math.sqrt(sum(x * x for x in z) / len(z)):.2f}",
+                         f"{max(z, key=abs):+.1f}", percent(hypothesis["mesh_error"])])
     return rows
 
 
 def shot_rows(result, index):
     rows, dehn = [], result["dehn"]["shots"] if result["dehn"] else []
-    for k, s in enumerate(result["readings"][index]["shots"]):
+    for k, s in enumerate(hypotheses(result)[index]["shots"]):
         shot = result["data"]["shots"][s["shot"]]
         measured = shot["measured_m"]
         scale, unit = (1e6, "um") if (measured or shot["measured_at_least_m"]) < 1e-3 else (1e2, "cm")
@@ -177,10 +171,10 @@ def shot_rows(result, index):
 
 def findings(result):
     lines = [f"- {f}" for f in result["findings"]]
-    for reading in result["readings"]:
-        lines.append(f"\n**{reading['name']}**\n")
-        lines += [f"- {f}" for f in reading["findings"]]
-        lines += [f"- next: {a['measurement']} would leave {percent(a['interval_width_ratio'], 0)} of the interval" for a in reading["advice"]]
+    for hypothesis in hypotheses(result):
+        lines.append(f"\n**{hypothesis['name']}**\n")
+        lines += [f"- {f}" for f in hypothesis["findings"]]
+        lines += [f"- next: {a['measurement']} would leave {percent(a['interval_width_ratio'], '.0f')} of the interval" for a in hypothesis["advice"]]
     return "\n".join(lines) + "\n"
 
 
@@ -191,7 +185,7 @@ def cost_text(result):
 
 
 def skin_part(result):
-    readings = [r["name"] for r in result["readings"]]
+    names = [r["name"] for r in hypotheses(result)]
     return f"""## Gelatin and skin together
 
 `percal calibrate data/guha2009/skin_consistent.toml`: 24 shots into 12 wt% gelatin, three formulations, and of the nine gold points the 651 m/s one alone; alpha and erosion
@@ -199,38 +193,47 @@ strain shared, moduli each material's own. {cost_text(result)}
 Mean |deviation|, by the emulator and, for the fitted shots, by fresh runs at the best point. "Gold": all nine, calibrated on the 651 m/s point alone. (LS-DYNA in the thesis: 13.93 %; its scaled line: 11.08 %;
 both anchored at that point too.)
 
-{table(["reading", "24 shots", "fresh", "12 steel", "fresh", "gold", "gold, each left out", "gold within 95 %"], reading_rows(result))}
+{table([HYPOTHESIS, "24 shots", "fresh", "12 steel", "fresh", "gold", "gold, each left out", "gold within 95 %"], hypothesis_rows(result))}
+
 Cross-validation, mean |deviation| of the predicted shots, Dehn's closed form by the same machinery in the last column:
 
-{table(["", "goal"] + readings + ["Dehn"], cross_rows(result))}
+{table(["", "goal"] + names + ["Dehn"], cross_rows(result))}
+
 ![the ridge of skin](../figures/calibration_ridge.svg)
 
-The 95 % regions of modulus and erosion strain of skin, all other parameters fitted anew, for every reading; moduli as each reading means them, and the pairs of Table 4-1 as printed, which is MU1 (docs/theory/conventions.md).
+The 95 % regions of modulus and erosion strain of skin, all other parameters fitted anew, for every {HYPOTHESIS}; moduli as each {HYPOTHESIS} means them, and the pairs of Table 4-1 as printed, which is MU1 (docs/theory/conventions.md).
 
 ### Parameters
 
-{table(["reading", "parameter", "best", "95 % (profile)", "can be known"], parameter_rows(result))}
+{table([HYPOTHESIS, "parameter", "best", "95 % (profile)", "can be known"], parameter_rows(result))}
+
 ### Moduli, beside those of the curves
 
-{table(["reading", "material", "mu", "MU1 = 2 mu/alpha", "curve", "quasi-static E = 3 mu / rate factor"], moduli_rows(result))}
+{table([HYPOTHESIS, "material", "mu", "MU1 = 2 mu/alpha", "curve", "quasi-static E = 3 mu / rate factor"], moduli_rows(result))}
+
 ### Where skin's error comes from
 
-{table(["reading", "source", "standard deviation of E", "share"], budget_rows(result, "quasi-static E of skin"))}
+{table([HYPOTHESIS, "source", "standard deviation of E", "share"], budget_rows(result, "quasi-static E of skin"))}
+
 Sensitivity to the gold depth's error, linearised (the mean of 401 particles is known to 0.90 um, single ones scatter by 18 um): {single_particle_text(result)}. The rate factor's own error is not stated in the source
 and counts as none: each per cent of it is a per cent of E. Formulations enter with the errors of their means, speeds with 2 m/s.
 
-### Every shot, reading "{readings[0]}"
+### Every shot, {HYPOTHESIS} "{names[0]}"
 
 {table(["shot", "fitted", "measured", "model", "deviation", "95 %", "Dehn's deviation"], shot_rows(result, 0))}
+
 ### The emulators
 
 {table(["setting", "runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
+
 Error at the optimum against cost:
 
 {table(["setting", "runs", "CPU s", "error"], round_rows(result))}
+
 Fresh runs at the best point, on a mesh finer than any the emulator learnt from: root mean square of (run - emulator) over the emulator's stated error, 1 where that is right.
 
-{table(["reading", "elements per radius", "runs", "rms", "largest", "mesh: depth on none over this one, less 1"], fresh_rows(result))}
+{table([HYPOTHESIS, "elements per radius", "runs", "rms", "largest", "mesh: depth on none over this one, less 1"], fresh_rows(result))}
+
 ### Findings
 
 {findings(result)}
@@ -241,29 +244,33 @@ def joint_part(result):
     return f"""## Curve and depths at once (synthetic)
 
 `percal calibrate data/synthetic/joint.toml`: generated with mu 120 kPa, alpha 6, erosion strain 1.1; a curve of 26 points and eleven shots. {cost_text(result)}
-{table(["reading", "parameter", "best", "95 % (profile)", "can be known"], parameter_rows(result))}
-{table(["", "goal"] + [r["name"] for r in result["readings"]] + ["Dehn"], cross_rows(result))}
+{table([HYPOTHESIS, "parameter", "best", "95 % (profile)", "can be known"], parameter_rows(result))}
+
+{table(["", "goal"] + [r["name"] for r in hypotheses(result)] + ["Dehn"], cross_rows(result))}
+
 {table(["setting", "runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
+
 {findings(result)}
 """
 
 
-def main(skin, joint):
-    skin_result, joint_result = (json.loads(pathlib.Path(p).read_text()) for p in (skin, joint))
-    page = """# Calibration
+def page(skin, joint):
+    return """# Calibration
 
 Written by docs/verification/make_calibration.py from the results of the two example jobs. What the columns mean: docs/formats/calibrate.md, docs/theory/calibration.md.
 
-"""
-    page += skin_part(skin_result) + joint_part(joint_result)
-    (HERE / "calibration.md").write_text(page)
-    folder = pathlib.Path(skin).parent
-    for name in sorted(folder.glob("*.svg")):
-        print(name.name)
+""" + skin_part(skin) + joint_part(joint)
+
+
+def main():
+    options = command_line(__doc__, "calibration.md", "skin", "joint").parse_args()
+    skin, joint = (json.loads(pathlib.Path(file).read_text()) for file in (options.skin, options.joint))
+    options.page.write_text(page(skin, joint))
+    folder = pathlib.Path(options.skin).parent
     ridges = sorted(folder.glob("ridge*skin*.svg")) or sorted(folder.glob("ridge*.svg"))
     if ridges:
-        shutil.copy(ridges[0], FIGURES / "calibration_ridge.svg")
+        shutil.copy(ridges[0], figures_of(options.page) / "calibration_ridge.svg")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2])
+    main()

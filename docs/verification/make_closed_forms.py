@@ -2,13 +2,10 @@
 
     python3 docs/verification/make_closed_forms.py build/release/tests/verification_test
 """
-import os
 import pathlib
-import subprocess
-import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
+from harness import command_line, output, table
 
 # Sections in the order of the page, each with what it is about.
 SECTIONS = {
@@ -28,26 +25,23 @@ SECTIONS = {
 }
 
 
-def rows_of(program):
+def rows_of(tests):
     with tempfile.TemporaryDirectory() as folder:
-        table = pathlib.Path(folder) / "table"
-        subprocess.run([program, "--gtest_brief=1"], check=True, env=dict(os.environ, PERCAL_TABLE=str(table)))
-        return [line.split("\t") for line in table.read_text().splitlines()]
+        rows = pathlib.Path(folder) / "table"
+        output([tests, "--gtest_brief=1"], environment={"PERCAL_TABLE": str(rows)})
+        return [line.split("\t") for line in rows.read_text().splitlines()]
 
 
-def tables(rows):
+def sections(rows):
     unknown = {row[0] for row in rows} - SECTIONS.keys()
     if unknown:
-        sys.exit(f"sections that the page does not know: {', '.join(sorted(unknown))}")
+        raise SystemExit(f"sections that the page does not know: {', '.join(sorted(unknown))}")
+    head = ["check", "reference", "mesh", "found", "exact, or bound", "error"]
     for section, meaning in SECTIONS.items():
-        yield f"\n## {section}\n\n{meaning}\n\n| check | reference | mesh | found | exact, or bound | error |\n| --- | --- | --- | --- | --- | --- |\n"
-        for row in rows:
-            if row[0] == section:
-                yield "| " + " | ".join(cell.replace("|", "\\|") for cell in row[1:]) + " |\n"
+        yield f"\n## {section}\n\n{meaning}\n\n" + table(head, [row[1:] for row in rows if row[0] == section]) + "\n"
 
 
-def main(program):
-    page = """# Closed forms
+HEAD = """# Closed forms
 
 Written by `docs/verification/make_closed_forms.py` from a run of tests/verification, which hold every line of it. The body is `Body` (impact/body.hpp) in double precision; its solid is the
 block's (docs/theory/impact.md (2), (3)). Exact values are those of data/verification where a file is named.
@@ -55,8 +49,12 @@ block's (docs/theory/impact.md (2), (3)). Exact values are those of data/verific
 Its element: one point, the mean of the displacement gradient over the element's volume (`QuadForm`, impact/quad_form.hpp), in axisymmetry with r in every mean, the hoop stretch included. So rigid
 motions and linear fields are exact on any quad. The hourglass pattern, orthogonal to all linear fields, is held by a constant elastic spring, c_hg mu/12 V sum |grad N_a|^2 with c_hg = 0.5.
 """
-    (HERE / "closed_forms.md").write_text(page + "".join(tables(rows_of(program))))
+
+
+def main():
+    options = command_line(__doc__, "closed_forms.md", "tests").parse_args()
+    options.page.write_text(HEAD + "".join(sections(rows_of(options.tests))))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main()

@@ -4,17 +4,11 @@
 
 Needs gnuplot for the figure.
 """
-import csv
-import json
 import math
-import pathlib
-import subprocess
-import sys
 
-from machine import processor
+from harness import ROOT, command_line, data_block, draw, figures_of, number, percent, processor, rows_of, table, write_page
 
-HERE = pathlib.Path(__file__).resolve().parent
-PUBLIC = HERE.parent.parent / "data" / "public"
+PUBLIC = ROOT / "data" / "public"
 TRELOAR = PUBLIC / "treloar1944_rubber_primary.csv"
 MEUNIER = PUBLIC / "meunier2008_silicone_modes.csv"
 BRAIN = PUBLIC / "budday2017_brain_cann_table.csv"
@@ -32,16 +26,14 @@ SETS = ([("rubber (Treloar)", "rubber", [TRELOAR], "relative"), ("silicone (Meun
         [(food, "soft", [MEAT, "--where", f"material_label={label}"], "error") for label, food in FOODS.items()])
 
 
-class Program:
-    def __init__(self, path):
-        self.path = path
-        self.seconds = 0
+class Fits:
+    """`percal fit`, and the processor seconds of all its fits."""
+
+    def __init__(self, program):
+        self.program, self.seconds = program, 0
 
     def __call__(self, *arguments):
-        run = subprocess.run([self.path, "fit", *map(str, arguments), "--json", "--no-intervals"], capture_output=True, text=True)
-        if run.returncode not in (0, 3):
-            sys.exit(run.stderr)
-        result = json.loads(run.stdout)
+        result = self.program.ask("fit", *arguments, "--no-intervals")
         self.seconds += result["cost"]["cpu_s"]
         return result
 
@@ -56,14 +48,9 @@ def compared(percal, arguments, *options):
     return positive, by_model(positive), by_model(percal(*arguments, *options, "--compare", "--unconstrained"))
 
 
-def number(value, form="{:.1f}"):
-    return "-" if value is None else form.format(value)
-
-
-def percent(value):
-    if value is None:
-        return "-"
-    return f"{100 * value:.0f} %" if value < 10 else "> 1000 %"
+def missed(column):
+    share = column["left_out_mean_relative_deviation"]
+    return "> 1000 %" if share is not None and share >= 10 else percent(share, ".0f")
 
 
 def stable_tension(model):
@@ -74,20 +61,20 @@ def stable_tension(model):
     return f"{stretches['low']:.2f} to {stretches['high']:.2f}"
 
 
-def table(percal, choice):
-    """Rows of markdown, and for the summary (name, kind, AICc of Mooney-Rivlin less that of Ogden 1, left-out deviations of both). Mooney-Rivlin with free signs."""
-    lines = ["| set | points, tests | neo-Hooke | Mooney-Rivlin | with C01 of any sign | Ogden 1 | Ogden 2 | Ogden 3 | left out: neo-Hooke | Mooney-Rivlin | any sign | Ogden 1 | Ogden 2 | Ogden 3 | any sign: stable |",
-             "| --- " * 15 + "|"]
-    verdicts = []
+def compared_sets(percal, choice):
+    """The table, and for the summary (name, kind, Mooney-Rivlin, the same with free signs, Ogden 1)."""
+    head = ["set", "points, tests", "neo-Hooke", "Mooney-Rivlin", "with C01 of any sign", "Ogden 1", "Ogden 2", "Ogden 3", "left out: neo-Hooke", "Mooney-Rivlin", "any sign", "Ogden 1",
+            "Ogden 2", "Ogden 3", "any sign: stable"]
+    rows, verdicts = [], []
     for name, kind, arguments, own in SETS:
         result, models, free = compared(percal, arguments, *choice(own))
         columns = [models["neo-hooke"], models["mooney-rivlin"], free["mooney-rivlin"], models["ogden"], models["ogden2"], models["ogden3"]]
-        lowest = min(column["aicc"] for column in columns if column.get("aicc") is not None)
-        aicc = [number(None if column.get("aicc") is None else column["aicc"] - lowest) for column in columns]
-        missed = [percent(column["left_out_mean_relative_deviation"]) for column in columns]
-        lines.append(f"| {name} | {result['points']}, {len(result['tests'])} | " + " | ".join(aicc + missed + [stable_tension(free["mooney-rivlin"])]) + " |")
+        aicc = [column.get("aicc") for column in columns]
+        lowest = min(value for value in aicc if value is not None)
+        rows.append([name, f"{result['points']}, {len(result['tests'])}", *(number(None if value is None else value - lowest, ".1f") for value in aicc), *map(missed, columns),
+                     stable_tension(free["mooney-rivlin"])])
         verdicts.append((name, kind, models["mooney-rivlin"], free["mooney-rivlin"], models["ogden"]))
-    return "\n".join(lines) + "\n", verdicts
+    return table(head, rows) + "\n", verdicts
 
 
 def one_summary(soft, mooney, words):
@@ -95,9 +82,9 @@ def one_summary(soft, mooney, words):
     deviation = "left_out_mean_relative_deviation"
     names = lambda rows: f" ({', '.join(row[0] for row in rows)})" if rows else ""
     better, worse = [row for row in soft if ahead(row) > 2], [row for row in soft if ahead(row) < -2]
-    missed = [row for row in soft if not row[4][deviation] < mooney(row)[deviation]]
+    not_less = [row for row in soft if not row[4][deviation] < mooney(row)[deviation]]
     return (f"Against Mooney-Rivlin {words} (two parameters each) its AICc is lower by more than 2 in {len(better)} sets and higher by more than 2 in {len(worse)}{names(worse)}; "
-            f"it misses the left-out tests by less in {len(soft) - len(missed)}, not by less in {len(missed)}{names(missed)}.")
+            f"it misses the left-out tests by less in {len(soft) - len(not_less)}, not by less in {len(not_less)}{names(not_less)}.")
 
 
 def summary(verdicts):
@@ -115,16 +102,14 @@ def skin_section(percal):
                 continue
             result = percal(SKIN, "--x", f"stretch_{axis}", "--y", f"cauchy_{axis * 2}_MPa", "--where", f"protocol={protocol}", "--mode", mode, "--residual", "absolute")
             best = result["minima"][0]
-            rows.append(f"| {protocol}, {axis * 2} | {result['points']} | {best['mu_Pa'] / 1e3:.3g} | {best['alpha']:.3g} | {number(best['r2'], '{:.4f}')} |")
+            rows.append([f"{protocol}, {axis * 2}", result["points"], f"{best['mu_Pa'] / 1e3:.3g}", f"{best['alpha']:.3g}", number(best["r2"], ".4f")])
     every = []
     for axis in "xy":
         result = percal(SKIN, "--x", f"stretch_{axis}", "--y", f"cauchy_{axis * 2}_MPa", "--mode", "general_biaxial", "--residual", "absolute", "--compare")
         every.append((axis, by_model(result)))
-    lines = ["| protocol and stress | points | mu, kPa | alpha | R² |", "| --- | --- | --- | --- | --- |"] + rows
-    lines += ["", "All five protocols together, R² of each model's best fit:", "", "| stress | " + " | ".join(MODELS.values()) + " |", "| --- " * 6 + "|"]
-    for axis, models in every:
-        lines.append(f"| {axis * 2} | " + " | ".join(number(models[m]["minima"][0]["r2"], "{:.3f}") if models[m]["minima"] else "no fit" for m in MODELS) + " |")
-    return "\n".join(lines) + "\n"
+    together = [[axis * 2, *(number(models[m]["minima"][0]["r2"], ".3f") if models[m]["minima"] else "no fit" for m in MODELS)] for axis, models in every]
+    return "\n".join([table(["protocol and stress", "points", "mu, kPa", "alpha", "R²"], rows), "", "All five protocols together, R² of each model's best fit:", "",
+                      table(["stress", *MODELS.values()], together)]) + "\n"
 
 
 # The nominal stress of a sum of terms (mu_Pa, alpha), written a second time.
@@ -141,27 +126,17 @@ def stress(terms, mode, x):
     return total
 
 
-def rows_of(file, **where):
-    with open(file) as text:
-        rows = csv.DictReader(line for line in text if not line.startswith("#"))
-        return [row for row in rows if all(row[key] == value for key, value in where.items())]
-
-
-def block(name, points):
-    return f"${name} << EOD\n" + "\n".join(f"{x:.6g} {y:.6g}" for x, y in points) + "\nEOD\n"
-
-
-def panel(number, title, xlabel, unit, points, fits, mode, xs):
+def panel(k, title, xlabel, unit, points, fits, mode, xs):
     """gnuplot's lines of one panel: points and a curve of each (title, terms, colour)."""
-    text = block(f"d{number}", points)
-    plots = [f'$d{number} with points pt 6 ps 0.6 lc rgb "#555555" notitle']
-    for k, (name, terms, colour) in enumerate(fits):
-        text += block(f"c{number}_{k}", [(x, stress(terms, mode, x) / unit) for x in xs])
-        plots.append(f'$c{number}_{k} with lines lw 1.6 lc rgb "{colour}" title "{name}"')
+    text = data_block(f"d{k}", points, digits=6)
+    plots = [f'$d{k} with points pt 6 ps 0.6 lc rgb "#555555" notitle']
+    for c, (name, terms, colour) in enumerate(fits):
+        text += data_block(f"c{k}_{c}", [(x, stress(terms, mode, x) / unit) for x in xs], digits=6)
+        plots.append(f'$c{k}_{c} with lines lw 1.6 lc rgb "{colour}" title "{name}"')
     return text, f'set title "{title}"\nset xlabel "{xlabel}"\nplot {", ".join(plots)}\n'
 
 
-def figure(percal):
+def figure(percal, file):
     colours = {"mooney-rivlin": "#d95f02", "ogden": "#1b6ca8", "ogden3": "#4a9b5e"}
     panels = []
 
@@ -179,20 +154,19 @@ def figure(percal):
         points = [(float(r["stretch"]), float(r["nominal_stress_MPa"])) for r in rows_of(TRELOAR, mode=mode)]
         panels.append(panel(len(panels), title, "stretch", 1e6, points, rubber, mode, steps(1, high)))
     script = "".join(data for data, _ in panels)
-    script += 'set terminal svg size 940,720 font "sans,12" background rgb "white"\nset key left top samplen 2\nset grid lc rgb "#dddddd"\nset multiplot layout 2,2\n'
+    script += 'set key left top samplen 2\nset grid lc rgb "#dddddd"\nset multiplot layout 2,2\n'
     for k, (_, plot) in enumerate(panels):
         script += f'set ylabel "nominal stress, {"kPa" if k < 2 else "MPa"}"\n' + plot
-    drawn = subprocess.run(["gnuplot"], input=script, capture_output=True, text=True, check=True)
-    (HERE.parent / "figures" / "curves.svg").write_text(drawn.stdout)
+    draw(file, script, size="940,720", font=12)
 
 
-def main(path):
-    percal = Program(path)
-    own, own_verdicts = table(percal, lambda residual: ["--residual", residual])
-    same, same_verdicts = table(percal, lambda _: ["--residual", "absolute", "--weights", "tests"])
+def page(program):
+    percal = Fits(program)
+    own, own_verdicts = compared_sets(percal, lambda residual: ["--residual", residual])
+    same, same_verdicts = compared_sets(percal, lambda _: ["--residual", "absolute", "--weights", "tests"])
     skin = skin_section(percal)
-    figure(percal)
-    (HERE / "curves.md").write_text(f"""# Models of curves on public data
+    figure(percal, figures_of(program.options.page) / "curves.svg")
+    return f"""# Models of curves on public data
 
 Written by `docs/verification/make_curves.py` from `percal fit --compare` on data/public ({percal.seconds:.1f} s of processor time in all, {processor()}). What AICc, left-out tests and the solids are stands in
 docs/theory/curves.md. No set is gelatin: no gelatin curve is published in numbers.
@@ -217,8 +191,8 @@ Absolute residuals, every test counting the same; for the brain single moduli of
 ## Skin: what no isotropic solid can fit
 Porcine skin of one specimen (Tac et al.), absolute residuals. Were it isotropic, xx and yy of the equibiaxial protocol would be one curve, and so would the two strips.
 
-{skin}""")
+{skin}"""
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    write_page(command_line(__doc__, "curves.md", "program"), page)

@@ -2,66 +2,39 @@
 
     python3 docs/verification/make_error_vs_time.py build/release/percal
 
-Options: --meshes 5,7,10,14 and --replicates 3 instead of the default ladder, --page FILE to write elsewhere, --store FILE for the evaluations (default: a new one, so that
-every run is timed here).
+Options: --meshes 5,7,10,14 and --replicates 3 instead of the default ladder, --page FILE to write elsewhere, --store FILE for the evaluations (default: a new one for every
+study, so that every run is timed here).
 """
-import argparse
-import json
-import pathlib
-import subprocess
-import tempfile
+from harness import THESIS, changed, command_line, figures_of, in_percent, percent, table, um, write_page
 
-HERE = pathlib.Path(__file__).resolve().parent
-DATA = HERE.parent.parent / "data" / "guha2009"
-
-GOLD = (DATA / "gold.toml").read_text()
-
-
-def changed(text, *replacements):
-    for old, new in replacements:
-        assert old in text, old
-        text = text.replace(old, new)
-    return text
+GOLD = (THESIS / "gold.toml").read_text()
 
 
 SCENES = (
     ("setting_s", "Setting S: 15 MPa, erosion strain 0.7, 651 m/s", GOLD),
-    ("mesh_study", "The deepest: the thesis's mesh study, 4.2 MPa, 0.6, 580 m/s", (DATA / "mesh_study.toml").read_text()),
+    ("mesh_study", "The deepest: the thesis's mesh study, 4.2 MPa, 0.6, 580 m/s", (THESIS / "mesh_study.toml").read_text()),
     ("fastest", "The fastest: 0.6 um at 775 m/s", changed(GOLD, ('"1 um"', '"0.6 um"'), ('"651 m/s"', '"775 m/s"'), ('"75 um"', '"45 um"'), ('"5 um"', '"3 um"'))),
     ("smallest_strain", "The smallest erosion strain: 55 MPa, 0.3, 651 m/s", changed(GOLD, ('"15 MPa"', '"55 MPa"'), ("strain = 0.7", "strain = 0.3"))),
 )
 
 
-def study(options, folder, name, text):
-    scene = pathlib.Path(folder) / f"{name}.toml"
-    scene.write_text(text)
-    command = [options.program, "study", scene, "--error-vs-time", "--json", "--threads", "1", "--out", f"{folder}/{name}.out", "--store", options.store or f"{folder}/store"]
-    for option in ("meshes", "replicates"):
-        if getattr(options, option):
-            command += [f"--{option}", getattr(options, option)]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode not in (0, 3):
-        raise SystemExit(f"{name}: {done.stderr}")
-    svg = pathlib.Path(folder) / f"{name}.out" / "error_vs_time.svg"
-    return json.loads(done.stdout), svg.read_text() if svg.exists() else None
+def study(program, name, text):
+    """The result, and the figure that goes with it, if there is one."""
+    ladder = [word for option in ("meshes", "replicates") if getattr(program.options, option) for word in (f"--{option}", getattr(program.options, option))]
+    folder = program.folder / f"{name}.out"
+    result = program.ask("study", program.scene(text, name), "--error-vs-time", "--threads", "1", "--out", folder, *program.kept(), *ladder)
+    svg = folder / "error_vs_time.svg"
+    return result, svg.read_text() if svg.exists() else None
 
 
-def um(metres):
-    return "-" if metres is None else f"{metres * 1e6:.2f}"
-
-
-def percent(share, digits=1):
-    return "-" if share is None else f"{100 * share:.{digits}f}"
-
-
-def rows(result):
-    lines = ["| elements per radius | elements | depth, um | spread | error, % | interval | mean of 1, % | of 3 | of 10 | steps | CPU s a run |", "| --- " * 11 + "|"]
+def rungs(result):
+    rows = []
     for rung in result["meshes"]:
         error, means = rung.get("error", {}), rung.get("error_of_mean_of", {})
-        lines.append(f"| {rung['elements_per_radius']} | {rung['elements']} | {um(rung['depth_m']) if rung['depth_m'] else rung['outcome']} | {um(rung['depth_spread_m'])} | {percent(error.get('value'))} | "
-                     f"{percent(error.get('low'))} to {percent(error.get('high'))} | " + " | ".join(percent(means.get(c, {}).get("value")) for c in ("1", "3", "10"))
-                     + f" | {rung['steps']:.0f} | {rung['cpu_s']:.3g} |")
-    return "\n".join(lines)
+        rows.append([rung["elements_per_radius"], rung["elements"], um(rung["depth_m"]) if rung["depth_m"] else rung["outcome"], um(rung["depth_spread_m"]), in_percent(error.get("value")),
+                     f"{in_percent(error.get('low'))} to {in_percent(error.get('high'))}", *(in_percent(means.get(c, {}).get("value")) for c in ("1", "3", "10")), f"{rung['steps']:.0f}",
+                     f"{rung['cpu_s']:.3g}"])
+    return table(["elements per radius", "elements", "depth, um", "spread", "error, %", "interval", "mean of 1, %", "of 3", "of 10", "steps", "CPU s a run"], rows)
 
 
 def change(what, c):
@@ -71,15 +44,15 @@ def change(what, c):
 
 
 def advice(result):
-    lines = ["| error | setting | estimated error, % (mesh, noise) | CPU s | interval |", "| --- | --- | --- | --- | --- |"]
+    rows = []
     for a in result["advice"]:
         if not a["found"]:
-            lines.append(f"| {percent(a['target_error'], 0)} % | none: {a['why_not']} | - | - | - |")
+            rows.append([percent(a["target_error"], ".0f"), f"none: {a['why_not']}", "-", "-", "-"])
             continue
         high = "no bound" if a["cpu_high_s"] is None else f"{a['cpu_high_s']:.3g}"
-        lines.append(f"| {percent(a['target_error'], 0)} % | {a['elements_per_radius']} elements per radius, {a['replicates']} runs{' (extrapolated)' if a['cost_estimated'] else ''} | "
-                     f"{percent(a['error'], 2)} ({percent(a['discretisation_error'], 2)}, {percent(a['noise_error'], 2)}) | {a['cpu_s']:.3g} | {a['cpu_low_s']:.3g} to {high} |")
-    return "\n".join(lines)
+        rows.append([percent(a["target_error"], ".0f"), f"{a['elements_per_radius']} elements per radius, {a['replicates']} runs{' (extrapolated)' if a['cost_estimated'] else ''}",
+                     f"{in_percent(a['error'], '.2f')} ({in_percent(a['discretisation_error'], '.2f')}, {in_percent(a['noise_error'], '.2f')})", f"{a['cpu_s']:.3g}", f"{a['cpu_low_s']:.3g} to {high}"])
+    return table(["error", "setting", "estimated error, % (mesh, noise)", "CPU s", "interval"], rows)
 
 
 def section(title, result, image):
@@ -87,10 +60,10 @@ def section(title, result, image):
     text = [f"## {title}", ""]
     if image:
         text += [f"![Error against processor time](../figures/{image})", ""]
-    text += [rows(result), ""]
+    text += [rungs(result), ""]
     if c["outcome"] == "fitted":
         text += [f"Extrapolated depth {um(c['extrapolated_depth_m'])} um ({um(c['extrapolated_depth_low_m'])} to {um(c['extrapolated_depth_high_m'])}), error {c['form']}, observed order "
-                 f"{c['observed_order']:.2g}, scatter about the fit {um(c['standard_deviation_m'])} um, a run's spread {percent(c['spread_of_a_run'])} %.", ""]
+                 f"{c['observed_order']:.2g}, scatter about the fit {um(c['standard_deviation_m'])} um, a run's spread {in_percent(c['spread_of_a_run'])} %.", ""]
     text += [change("half the time step", one) for one in result["change_by_half_the_step"]]
     text += [change("double precision", result["change_by_double_precision"]), "", advice(result)]
     text += [""] + [f"- {finding}" for finding in result["findings"]]
@@ -115,34 +88,25 @@ is {abs(coarse / c['extrapolated_depth_m'] - 1) * 100:.1f} % from the extrapolat
 """
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    for option in ("--meshes", "--replicates", "--store"):
-        parser.add_argument(option)
-    parser.add_argument("--page", type=pathlib.Path, default=HERE / "error_vs_time.md")
-    options = parser.parse_args()
-    figures = options.page.parent.parent / "figures"
-    page, level, version = [], "", ""
-    with tempfile.TemporaryDirectory() as folder:
-        for name, title, text in SCENES:
-            result, svg = study(options, folder, name, text)
-            level, version = result["isa"], result["percal"]
-            image = f"error_vs_time_{name}.svg" if svg else None
-            if svg:
-                figures.mkdir(exist_ok=True)
-                (figures / image).write_text(svg)
-            page.append(section(title, result, image) + ("\n" + beside_the_thesis(result) if name == "mesh_study" else ""))
-    processor = next((line.split(":", 1)[1].strip() for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")), "processor")
-    head = f"""# Error against processor time
+def page(program):
+    sections = []
+    for name, title, text in SCENES:
+        result, svg = study(program, name, text)
+        image = f"error_vs_time_{name}.svg" if svg else None
+        if svg:
+            (figures_of(program.options.page) / image).write_text(svg)
+        sections.append(section(title, result, image) + ("\n" + beside_the_thesis(result) if name == "mesh_study" else ""))
+    return f"""# Error against processor time
 
-Written by `docs/verification/make_error_vs_time.py` from `percal study SCENE --error-vs-time` (percal {version}, {level}, {processor}, one thread), for `data/guha2009/gold.toml`, `mesh_study.toml` and
+Written by `docs/verification/make_error_vs_time.py` from `percal study SCENE --error-vs-time` ({program.machine()}, one thread), for `data/guha2009/gold.toml`, `mesh_study.toml` and
 two changes of the first. Errors are against the depth extrapolated from the same ladder, after Eca and Hoekstra (2014): [theory/errors.md](../theory/errors.md). The error of a mean of so many
 runs is the root of the sum of squares of the mesh's error and the noise.
 
-"""
-    options.page.write_text(head + "\n".join(page))
+""" + "\n".join(sections)
 
 
 if __name__ == "__main__":
-    main()
+    ladder = command_line(__doc__, "error_vs_time.md")
+    for option in ("--meshes", "--replicates"):
+        ladder.add_argument(option)
+    write_page(ladder, page)

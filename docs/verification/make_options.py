@@ -2,17 +2,9 @@
 
     python3 docs/verification/make_options.py build/release/percal
 """
-import json
-import math
-import pathlib
-import subprocess
-import sys
-import tempfile
+from harness import THESIS, changed, command_line, mesh, percent_off, processor, replicates, table, write_page
 
-from machine import processor
-
-HERE = pathlib.Path(__file__).resolve().parent
-GOLD = HERE.parent.parent / "data" / "guha2009" / "gold.toml"
+GOLD = (THESIS / "gold.toml").read_text()
 MESHES, REPLICATES = (10, 14), 5
 
 MU, ALPHA, DENSITY, SPEED = 15e6 * 8.5 / 2, 8.5, 1000, 651  # of the scene, mu as it truly is
@@ -33,36 +25,25 @@ def solver(*lines):
 
 
 def erosion(*lines):
-    old = scene_part("[target.erosion]", "[mesh]")
-    return lambda scene: scene.replace(old, "[target.erosion]\n" + "\n".join(lines) + "\n\n")
+    old = GOLD[GOLD.index("[target.erosion]"):GOLD.index("[mesh]")]
+    return lambda scene: changed(scene, (old, "[target.erosion]\n" + "\n".join(lines) + "\n\n"))
 
 
 def relaxation(share, radii):
     """Time in a/v, a being 1 um."""
     term = f'[[target.relaxation]]\nshare = {share}\ntime = "{radii * 1e3 / SPEED:.6g} ns"\n\n'
-    return lambda scene: must_replace(scene, "[mesh]", term + "[mesh]")
+    return lambda scene: changed(scene, ("[mesh]", term + "[mesh]"))
 
 
 def layered(top_um, top_mpa, below_mpa, below_density=1000):
     def change(scene):
-        scene = must_replace(scene, 'mu = "15 MPa"', f'mu = "{top_mpa} MPa"')
-        scene = must_replace(scene, 'depth = "75 um"', f'depth = "{top_um} um"')
+        scene = changed(scene, ('mu = "15 MPa"', f'mu = "{top_mpa} MPa"'), ('depth = "75 um"', f'depth = "{top_um} um"'))
         return scene + (f'\n[[below]]\nname = "lower"\ndensity = "{below_density} kg/m3"\nmu = "{below_mpa} MPa"\nalpha = 8.5\nbulk_to_shear = 50\n'
                         f'depth = "{75 - top_um} um"\n\n[below.erosion]\nstrain = 0.7\n')
     return change
 
 
-def must_replace(text, old, new):
-    assert old in text, old
-    return text.replace(old, new, 1)
-
-
-def scene_part(begin, end):
-    text = GOLD.read_text()
-    return text[text.index(begin):text.index(end)]
-
-
-# Name, change of the scene. The first of each group is what the group is compared with.
+# Name, what is altered in the scene. The first of each group is what the group is compared with.
 GROUPS = [
     ("Strain measure, at a limit of 0.7", [
         ("engineering", None),
@@ -93,7 +74,7 @@ GROUPS = [
     ("Relaxation of half the modulus", [
         ("none", None),
         ("in 100 a/v", relaxation(0.5, 100)), ("in 10 a/v", relaxation(0.5, 10)), ("in a/v", relaxation(0.5, 1)), ("in 0.1 a/v", relaxation(0.5, 0.1)),
-        ("half the modulus, no relaxation", lambda scene: must_replace(scene, 'mu = "15 MPa"', 'mu = "7.5 MPa"'))]),
+        ("half the modulus, no relaxation", lambda scene: changed(scene, ('mu = "15 MPa"', 'mu = "7.5 MPa"')))]),
     ("Layers", [
         ("one", None),
         ("two alike, cut at 7 um", layered(7, 15, 15)),
@@ -103,60 +84,39 @@ GROUPS = [
 ]
 
 
-class Program:
-    def __init__(self, path, folder):
-        self.path, self.folder, self.runs, self.plain = path, folder, 0, {}
-
-    def impact(self, text, mesh):
-        """The result of one scene, from a store of its own, so that every run is timed here."""
-        self.runs += 1
-        scene = pathlib.Path(self.folder) / f"scene{self.runs}.toml"
-        scene.write_text(text)
-        done = subprocess.run([self.path, "impact", scene, "--store", f"{self.folder}/{self.runs}.store", "--threads", "1", "--json", "--elements-per-radius", str(mesh),
-                               "--replicates", str(REPLICATES)], capture_output=True, text=True)
-        if done.returncode not in (0, 3):
-            raise SystemExit(f"{text}\n{done.stderr}")
-        return json.loads(done.stdout)
+def depth_words(result):
+    """In um with its standard error."""
+    if result.depth is None:
+        return ", ".join(sorted({run.outcome for run in result.runs}))
+    return result.depth_words(1e6)
 
 
-def figures(result):
-    """Depth in um with its standard error, and CPU seconds of the run that the machine disturbed least."""
-    cpu = min(run["cpu_s"] for run in result["runs"])
-    depth = result["depth_m"]
-    if depth is None:
-        words = ", ".join(sorted({run["outcome"] for run in result["runs"]}))
-        return {"depth": words, "mean": None, "cpu": cpu, "result": result}
-    error = result["depth_spread_m"] / math.sqrt(len(result["runs"]))
-    return {"depth": f"{depth * 1e6:.2f} ± {error * 1e6:.2f}", "mean": depth, "cpu": cpu, "result": result}
+def least_cpu(result):
+    """Of the run that the machine disturbed least."""
+    return min(run.cpu for run in result.runs)
 
 
 def row(name, here, plain):
     cells = [name]
-    for mesh in MESHES:
-        h, p = here[mesh], plain[mesh]
-        change = "" if h is p or h["mean"] is None else f"{(h['mean'] / p['mean'] - 1) * 100:+.1f} %"
-        cells += [h["depth"], change, f"{h['cpu'] / p['cpu']:.2f}"]
-    energy = here[MESHES[-1]]["result"]["energy"]
-    cells += [f"{energy['viscosity']:.2f}", f"{energy['eroded']:.2f}", f"{energy.get('relaxation', 0):.2f}", f"{here[MESHES[-1]]['result']['energy_worst_closure']:.1e}"]
-    return "| " + " | ".join(cells) + " |"
+    for n in MESHES:
+        h, p = here[n], plain[n]
+        cells += [depth_words(h), "" if h is p or h.depth is None else percent_off(h.depth, p.depth), f"{least_cpu(h) / least_cpu(p):.2f}"]
+    fine = here[MESHES[-1]]
+    return cells + [*(f"{fine.energy.get(term, 0):.2f}" for term in ("viscosity", "eroded", "relaxation")), f"{fine.worst_closure:.1e}"]
 
 
 def group_table(program, cases):
     """The plain scene is run again for each group: what else the machine does changes with time."""
-    plain = {mesh: figures(program.impact(GOLD.read_text(), mesh)) for mesh in MESHES}
-    head = ["|  |"] + [f" nf {mesh}: depth, um | change | CPU |" for mesh in MESHES] + [" viscosity | eroded | relaxation | energy error |"]
-    lines = ["".join(head), "| --- |" + " --- | --- | --- |" * len(MESHES) + " --- | --- | --- | --- |"]
-    for name, change in cases:
-        here = plain if change is None else {mesh: figures(program.impact(change(GOLD.read_text()), mesh)) for mesh in MESHES}
-        lines.append(row(name, here, plain))
-    return "\n".join(lines)
+    def found(scene):
+        return {n: program.impact(scene, *mesh(n), *replicates(REPLICATES)) for n in MESHES}
+    plain = found(GOLD)
+    head = ["", *(words for n in MESHES for words in (f"nf {n}: depth, um", "change", "CPU")), "viscosity", "eroded", "relaxation", "energy error"]
+    return table(head, [row(name, plain if altered is None else found(altered(GOLD)), plain) for name, altered in cases])
 
 
-def main(path):
-    with tempfile.TemporaryDirectory() as folder:
-        program = Program(path, folder)
-        sections = "\n\n".join(f"## {title}\n\n{group_table(program, cases)}" for title, cases in GROUPS)
-    page = f"""# What each option of the target and the solver does
+def page(program):
+    sections = "\n\n".join(f"## {title}\n\n{group_table(program, cases)}" for title, cases in GROUPS)
+    return f"""# What each option of the target and the solver does
 
 Written by `docs/verification/make_options.py` from runs of `data/guha2009/gold.toml` (setting S: gold of 1 um radius at 651 m/s into skin of 15 MPa as given, alpha 8.5,
 erosion strain 0.7), one thing changed at a time, at 10 and 14 elements per radius (nf). Theory: [target.md](../theory/target.md).
@@ -167,8 +127,7 @@ Viscosity, eroded and relaxation are shares of the impact energy at {MESHES[-1]}
 
 {sections}
 """
-    (HERE / "options.md").write_text(page)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    write_page(command_line(__doc__, "options.md"), page)

@@ -1,21 +1,18 @@
 """Writes docs/verification/performance.md from runs of impact_bench (a quarter of an hour of processor time, --short one minute):
 
     cmake --build build/release --target impact_bench
-    python3 docs/verification/make_performance.py build/release/tests/bench/impact_bench [--short] [--without-long] [--out PAGE]
+    python3 docs/verification/make_performance.py build/release/tests/bench/impact_bench [--short] [--without-long] [--page PAGE]
 """
-import argparse
 import datetime
 import json
 import math
 import os
 import pathlib
 import statistics
-import subprocess
 import time
 
-from machine import processor
+from harness import Failed, at_level, command_line, located, output, percent, processor, table
 
-HERE = pathlib.Path(__file__).resolve().parent
 LEVELS = {"x86_64_v4": 140, "x86_64_v3": 70, "x86_64_v2": 12}  # wanted: million element-steps a CPU second
 THESIS = {"nf": 42, "graded": 23, "depth": 75}
 MILLION = {"nf": 94, "graded": 51, "depth": 75}
@@ -32,18 +29,16 @@ REALS_MOVED = 8 + 5 + 7 + 4
 
 class Bench:
     def __init__(self, path):
-        self.path = path
+        self.path = located(path)
 
     def __call__(self, what, level=None, **options):
         """One line of impact_bench, with `others`: how many cores everybody else kept busy meanwhile. None where this processor lacks the level."""
-        words = [f"{key}={value}" for key, value in options.items()]
-        environment = dict(os.environ, **({"PERCAL_ISA": level} if level else {}))
         before, start = busy_seconds(), time.monotonic()
-        done = subprocess.run([self.path, what, *words], capture_output=True, text=True, env=environment)
-        wall = time.monotonic() - start
-        if done.returncode != 0:
+        try:
+            line = json.loads(output([self.path, what, *(f"{key}={value}" for key, value in options.items())], environment=at_level(level)))
+        except Failed:
             return None
-        line = json.loads(done.stdout)
+        wall = time.monotonic() - start
         if "cpu_s" in line:
             line["others"] = max(0.0, (busy_seconds() - before - line["cpu_s"]) / wall)
         return line
@@ -65,10 +60,6 @@ def best(bench, tries, **options):
 
 def verdict(reached, missing=""):
     return "reached" if reached else f"**missed**{': ' + missing if missing else ''}"
-
-
-def table(head, rows):
-    return "\n".join("| " + " | ".join(str(cell) for cell in row) + " |" for row in (head, ["---"] * len(head), *rows))
 
 
 def speeds(bench, short):
@@ -104,7 +95,7 @@ def phases(bench, short):
         runs.append(run)
         count = sum(run["samples"].values())
         rows.append([name, options["rates"], run["steps"], f"{run['element_steps'] / 1e6:.0f}", count,
-                     *(f"{100 * run['samples'][phase] / count:.1f} %" for phase in ("internal forces", "contact", "motion", "rest"))])
+                     *(percent(run["samples"][phase] / count) for phase in ("internal forces", "contact", "motion", "rest"))])
     note = ""
     if not short:
         two, one = runs[1], runs[2]
@@ -152,14 +143,14 @@ def accuracy(bench, short):
         bias_error = math.hypot(spread / 3, error)
         three = 3 * statistics.mean(run["cpu_s"] for run in runs)
         expected, high = math.hypot(bias, spread / math.sqrt(3)) / true, math.hypot(abs(bias) + bias_error, spread / math.sqrt(3)) / true
-        rows.append([n, f"{runs[0]['elements']:,}", f"{statistics.mean(depths):.3f}", f"{spread:.3f}", f"{100 * bias / true:+.2f} +- {100 * bias_error / true:.2f} %",
-                     f"{100 * (statistics.mean(depths[:3]) / true - 1):+.2f} %", f"{100 * expected:.2f} % (to {100 * high:.2f} %)", f"{three:.2f}"])
+        rows.append([n, f"{runs[0]['elements']:,}", f"{statistics.mean(depths):.3f}", f"{spread:.3f}", f"{100 * bias / true:+.2f} +- {percent(bias_error / true, '.2f')}",
+                     percent(statistics.mean(depths[:3]) / true - 1, "+.2f"), f"{percent(expected, '.2f')} (to {percent(high, '.2f')})", f"{three:.2f}"])
         if three <= 0.9:
             cheapest["affordable"] = f"at nf {n} ({three:.2f} CPU s) the mean itself is {100 * bias / true:+.1f} % off, the spread of single runs is {100 * spread / true:.1f} %"
-        for percent in (1, 2):
+        for wanted in (1, 2):
             for kind, value in (("expected", expected), ("safe", high)):
-                if 100 * value <= percent and (percent, kind) not in cheapest:
-                    cheapest[percent, kind] = (n, three)
+                if 100 * value <= wanted and (wanted, kind) not in cheapest:
+                    cheapest[wanted, kind] = (n, three)
     head = ["nf", "elements", "mean of 9", "spread", "off the reference", "first three: off", "expected error of the mean of 3", "CPU s of 3"]
     return table(head, rows), cheapest, f"{true:.3f} +- {error:.3f} radii (mean of {len(reference)} at nf {10 if short else 30})"
 
@@ -200,20 +191,13 @@ def targets(slowest, runs, million, largest, pair, cheapest):
     others, one, two = pair
     share = 100 * two["wall_s"] / one["wall_s"]
     yield [f"{one['runs']} runs on two cores over one", "<= 52 % of the wall time", f"{share:.1f} % ({others:.1f} cores busy with other work)", verdict(share <= 52, busy(others, "the runs share the third-level cache"))]
-    for percent, wanted in ((2, "<= 0.9 CPU s"), (1, "stated")):
-        mesh, safe = cheapest.get((percent, "expected")), cheapest.get((percent, "safe"))
+    for within, wanted in ((2, "<= 0.9 CPU s"), (1, "stated")):
+        mesh, safe = cheapest.get((within, "expected")), cheapest.get((within, "safe"))
         text = "no mesh of the ladder" if not mesh else f"{mesh[1]:.2f} CPU s (nf {mesh[0]})" + (f"; {safe[1]:.2f} (nf {safe[0]}) with the standard error added" if safe else "; no mesh with the standard error added")
-        yield [f"depth within {percent} %, mean of 3", wanted, text, "" if percent == 1 else verdict(bool(mesh) and mesh[1] <= 0.9, cheapest.get("affordable", "no mesh of the ladder is that cheap"))]
+        yield [f"depth within {within} %, mean of 3", wanted, text, "" if within == 1 else verdict(bool(mesh) and mesh[1] <= 0.9, cheapest.get("affordable", "no mesh of the ladder is that cheap"))]
 
 
-def main():
-    arguments = argparse.ArgumentParser()
-    arguments.add_argument("bench")
-    arguments.add_argument("--short", action="store_true")
-    arguments.add_argument("--without-long", action="store_true")
-    arguments.add_argument("--out", default=HERE / "performance.md")
-    choice = arguments.parse_args()
-    bench, short = Bench(choice.bench), choice.short
+def page(bench, short, without_long):
     load_before = load()
     speed_table, slowest = speeds(bench, short)
     runs = thesis(bench, short)
@@ -221,11 +205,11 @@ def main():
     memory_table, largest, _ = memory(bench, short)
     pair = batches(bench, short)
     depth_table, cheapest, reference = accuracy(bench, short)
-    million = None if short or choice.without_long else bench("run", threads=2, **MILLION)
+    million = None if short or without_long else bench("run", threads=2, **MILLION)
     best_level = next(level for level in LEVELS if slowest[level])
     measured = [speed(run) for run in runs.values() if run] + [slowest[best_level]]
-    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True).stdout.splitlines()[0]
-    pathlib.Path(choice.out).write_text(f"""# What the impact solver costs
+    compiler = output(["c++", "--version"]).splitlines()[0]
+    return f"""# What the impact solver costs
 
 Written by `docs/verification/make_performance.py` from runs of `impact_bench`{' (--short: a trial of the script, no results)' if short else ''} on {datetime.date.today()}: {processor()}, {os.cpu_count()} cores, {compiler}.
 The machine is shared: load averages {load_before} at the start and {load()} at the end. Processor seconds suffer less from that than wall seconds do; compare figures of this
@@ -270,7 +254,15 @@ Reference: {reference}. Nine replicates of each mesh at the speed times 1, 1.001
 and in brackets the same with one standard error added to the offset.
 
 {depth_table}
-""")
+"""
+
+
+def main():
+    parser = command_line(__doc__, "performance.md", "bench")
+    parser.add_argument("--short", action="store_true")
+    parser.add_argument("--without-long", action="store_true")
+    options = parser.parse_args()
+    options.page.write_text(page(Bench(options.bench), options.short, options.without_long))
 
 
 if __name__ == "__main__":

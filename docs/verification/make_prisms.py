@@ -4,168 +4,19 @@
 
 Options: --store FILE for the evaluations (default: the program's own), --page FILE to write elsewhere, --jobs N scenes side by side.
 """
-import argparse
-import csv
-import json
 import math
-import os
-import pathlib
-import re
 import statistics
-import subprocess
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 
+from harness import THESIS, Store, command_line, in_percent, mean_size, replicates, rows_of, table, with_numbers, write_page
+from prism_scenes import GROWTH, MOULD_MESH, MOULD_WALL, THESIS_MESH, WALL, ball_scene, cm, depth_text, mould_scene, prisms, thesis_scene
 from prisms_text import HEAD, MOULD, MOULD_READING, OWN, PRINTED, RANKING, TURNED, TURNED_READING
-from machine import processor
 
-HERE = pathlib.Path(__file__).resolve().parent
-DATA = HERE.parent.parent / "data" / "guha2009"
-BALL = 1.59                  # mm: meshes are counted in elements on the radius of the thesis's ball
-WALL, DEPTH = 7.95, 119.25   # mm: the thesis's domain, 5 and 75 of these
-MOULD_WALL, MOULD_DEPTH = 37.5, 100
-GROWTH = 1.13                # of the mould's columns from one to the next, at ten elements on the ball's radius
-THESIS_MESH, MOULD_MESH = 14, 10
-TOLERATED = 0.05             # a depth that wall or mesh change by more is not converged
-
-
-@dataclass(frozen=True)
-class Prism:
-    name: str
-    text: str          # the scene that data/guha2009 has of it
-    half_width: float  # mm
-    calibrated: float  # m/s: the shot at which the thesis found its erosion strain
-    strain: float      # with which its own domain is run here
-    shots: tuple       # rows of angular_shots.csv
-
-
-def prisms():
-    with open(DATA / "angular_shots.csv", newline="") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    def one(name, angularity, half_width, calibrated, strain):
-        shots = tuple({key: float(value) for key, value in row.items()} for row in rows if row["angularity_deg"] == angularity)
-        return Prism(name, (DATA / f"{name}.toml").read_text(), half_width, calibrated, strain, shots)
-    return one("square", "45", 5.83 * math.sqrt(0.5), 50, 0.51), one("rhombus", "60", 3.0, 40, 0.57)
-
-
-def with_keys(text, **keys):
-    """The scene with other values; keys are found by name, and are unique in these files."""
-    for key, value in keys.items():
-        text, found = re.subn(rf"(?m)^{key} = [^#\n]*", f"{key} = {value} ", text)
-        assert found == 1, key
-    return text
-
-
-def graded_columns(gap, growth):
-    """How many columns, each wider than the last by `growth`, fill `gap` elements."""
-    return max(1, round(math.log(1 + gap * (growth - 1) / growth) / math.log(growth)))
-
-
-def scene(prism, mesh, wall, depth, fine, growth, half_width=None, columns=None, solver="", **keys):
-    """`mesh`: elements on 1.59 mm. `fine`: mm of square columns beside the middle line; then as many `columns` as grow to the wall by `growth` each, unless their number is given."""
-    half_width = half_width or prism.half_width
-    elements = round(mesh * half_width / BALL)
-    columns = columns or graded_columns((wall - fine) / half_width * elements, growth)
-    text = re.sub(r"(?s)\[mesh\].*", "", prism.text)
-    text = with_keys(text, width=f'"{wall} mm"', depth=f'"{depth} mm"', **keys)
-    return text + f"[mesh]\nelements_per_radius = {elements}\nfine_width = {fine / half_width:.6f}\ngraded_columns = {columns}\n{solver}"
-
-
-def ball_growth():
-    """Of the balls' mesh: half as many graded columns as fine ones over four radii. The same at every mesh, to one column."""
-    gap, columns = 4 * THESIS_MESH, THESIS_MESH // 2
-    low, high = 1.01, 3
-    for _ in range(60):
-        q = (low + high) / 2
-        low, high = (q, high) if q * (q ** columns - 1) / (q - 1) < gap else (low, q)
-    return low
-
-
-def thesis_scene(prism, mesh=THESIS_MESH, wall=WALL, fine=BALL, **keys):
-    keys.setdefault("strain", prism.strain)
-    if fine == BALL and wall == WALL:
-        keys["columns"] = mesh // 2
-    growth = ball_growth() ** (THESIS_MESH / mesh) if fine == BALL else GROWTH
-    return scene(prism, mesh, wall, DEPTH, fine, growth, **keys)
-
-
-def mould_scene(prism, density, mesh=MOULD_MESH, wall=MOULD_WALL, fine=None, **keys):
-    settings = dict(density=f'"{density} kg/m3"', bulk_to_shear=50 if density < 500 else 100, bottom='"fixed"')
-    settings.update(keys)
-    return scene(prism, mesh, wall, MOULD_DEPTH, fine or prism.half_width, GROWTH ** (MOULD_MESH / mesh), **settings)
-
-
-def ball_scene(radius, speed, strain, density, mould):
-    wall, depth = (MOULD_WALL, MOULD_DEPTH) if mould else (5 * radius, 75 * radius)
-    columns = graded_columns((wall / radius - 1) * 10, GROWTH) if mould else 5
-    return f"""[particle]
-radius = "{radius} mm"
-density = "7800 kg/m3"
-speed = "{speed} m/s"
-[target]
-density = "{density} kg/m3"
-mu = "113 kPa"
-convention = "mu/alpha"
-alpha = 8.5
-bulk_to_shear = {50 if density < 500 else 100}
-depth = "{depth} mm"
-width = "{wall} mm"
-bottom = "{'fixed' if mould else 'free'}"
-[target.erosion]
-strain = {strain}
-[mesh]
-elements_per_radius = 10
-graded_columns = {columns}
-"""
-
-
-class Program:
-    def __init__(self, path, store, folder, jobs):
-        self.path, self.store, self.folder = path, store, folder
-        self.pool = ThreadPoolExecutor(jobs)
-        self.level = self.version = ""
-
-    def impact(self, text, replicates=1):
-        handle, name = tempfile.mkstemp(suffix=".toml", dir=self.folder)
-        with os.fdopen(handle, "w") as file:
-            file.write(text)
-        command = [self.path, "impact", name, "--threads", "1", "--replicates", str(replicates), "--json"] + (["--store", self.store] if self.store else [])
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode not in (0, 3):
-            raise SystemExit(f"{done.stderr}\n{text}")
-        result = json.loads(done.stdout)
-        self.level, self.version = result["isa"], result["percal"]
-        return result
-
-    def impacts(self, scenes, replicates=1):
-        return list(self.pool.map(lambda text: self.impact(text, replicates), scenes))
-
-
-def cm(result):
-    """Depth in cm; infinite where the layer was passed through, nan where there is none."""
-    if result["depth_m"] is not None:
-        return 100 * result["depth_m"]
-    return math.inf if result["outcome"] == "passed through" else math.nan
-
-
-def depth_text(result):
-    if result["depth_m"] is None:
-        return "through" if result["outcome"] == "passed through" else result["outcome"]
-    error = result["depth_standard_error_m"]
-    return f"{cm(result):.2f}" + (f" ± {100 * error:.2f}" if error is not None else "")
+TOLERATED = 0.05  # a depth that wall or mesh change by more is not converged
+ONE, THREE = replicates(1), replicates(3)
 
 
 def deviation(result, reference):
     return cm(result) / reference - 1 if math.isfinite(cm(result)) else math.nan
-
-
-def percent(x):
-    return f"{100 * x:+.1f}" if math.isfinite(x) else "-"
-
-
-def mean_size(deviations):
-    return f"{100 * statistics.mean(abs(d) for d in deviations):.1f} %" if all(map(math.isfinite, deviations)) else "none: not all shots stopped"
 
 
 def differs(result, base):
@@ -173,21 +24,17 @@ def differs(result, base):
     return not (a == b or abs(a / b - 1) <= TOLERATED)
 
 
-def table(header, lines):
-    return "\n".join(["| " + " | ".join(header) + " |", "| --- " * len(header) + "|"] + ["| " + " | ".join(line) + " |" for line in lines])
-
-
 def shots_table(program, prism, base, variants):
     """Six shots; `base` and the variants make a scene of a speed. Variants: (title, 'wall' or 'mesh', scene maker). One run each, three of the base."""
     speeds = [shot["velocity_m_s"] for shot in prism.shots]
-    at = lambda make, count: program.impacts([make(speed=f'"{speed:g} m/s"') for speed in speeds], count)
-    results, others = at(base, 3), [(kind, at(make, 1)) for _, kind, make in variants]
+    at = lambda make, count: program.impacts([make(speed=f'"{speed:g} m/s"') for speed in speeds], *count)
+    results, others = at(base, THREE), [(kind, at(make, ONE)) for _, kind, make in variants]
     lines = []
     for k, shot in enumerate(prism.shots):
         moved = sorted({kind for kind, found in others if differs(found[k], results[k])}, reverse=True)
-        lines.append([f"{speeds[k]:g}", f"{shot['penetration_cm']:.2f}", f"{shot['fe_cm']:.2f}", depth_text(results[k]), percent(deviation(results[k], shot["fe_cm"])),
-                      percent(deviation(results[k], shot["penetration_cm"])), *(depth_text(found[k]) for _, found in others), f"not converged: {', '.join(moved)}" if moved else "yes"])
-    lines.append(["mean change, %", *[""] * 5, *(percent(statistics.mean(cm(a) / cm(b) - 1 for a, b in zip(found, results))) for _, found in others), ""])
+        lines.append([f"{speeds[k]:g}", f"{shot['penetration_cm']:.2f}", f"{shot['fe_cm']:.2f}", depth_text(results[k]), in_percent(deviation(results[k], shot["fe_cm"]), "+.1f"),
+                      in_percent(deviation(results[k], shot["penetration_cm"]), "+.1f"), *(depth_text(found[k]) for _, found in others), f"not converged: {', '.join(moved)}" if moved else "yes"])
+    lines.append(["mean change, %", *[""] * 5, *(in_percent(statistics.mean(cm(a) / cm(b) - 1 for a, b in zip(found, results)), "+.1f") for _, found in others), ""])
     header = ["m/s", "measured", "LS-DYNA", "percal, 3 runs", "to LS-DYNA, %", "to measured, %", *(title for title, _, _ in variants), f"within {100 * TOLERATED:.0f} %"]
     return table(header, lines), results, {title: found for (title, _, _), (_, found) in zip(variants, others)}
 
@@ -218,12 +65,12 @@ PLANNED = {16: 0.96, 30: 1.19, 45: 1.46, 60: 1.94, 79: 1.83}  # cm, the planning
 
 
 def rhombus_ladder(program, rhombus):
-    results = program.impacts([thesis_scene(rhombus, mesh=n, strain=0.975) for n in LADDER])
+    results = program.impacts([thesis_scene(rhombus, mesh=n, strain=0.975) for n in LADDER], *ONE)
     lines = []
     for n, r in zip(LADDER, results):
-        e = r["energy"]
-        lines.append([str(n), str(r["elements"]), depth_text(r), f"{PLANNED[n]:.2f}", str(r["runs"][0]["eroded"]), *(f"{e[k]:.3f}" for k in ("elastic", "eroded", "viscosity")),
-                      f"{e['live_kinetic'] + e['freed_mass']:.3f}", f"{e['contact'] + e['contact_dropped']:.3f}", f"{r['energy_worst_closure']:.1e}"])
+        e = r.energy
+        lines.append([n, r.elements, depth_text(r), f"{PLANNED[n]:.2f}", r.runs[0].eroded, *(f"{e[k]:.3f}" for k in ("elastic", "eroded", "viscosity")),
+                      f"{e['live_kinetic'] + e['freed_mass']:.3f}", f"{e['contact'] + e['contact_dropped']:.3f}", f"{r.worst_closure:.1e}"])
     return table(["elements on 1.59 mm", "elements", "depth, cm", "planning study", "eroded elements", "elastic", "eroded", "viscosity", "kinetic", "contact", "closure"], lines), results
 
 
@@ -232,7 +79,7 @@ def calibrate(program, reference, make):
     low, high, best = 0.3, 1.2, None
     while high - low > 0.002:
         strain = round((low + high) / 2, 4)
-        result = program.impact(make(strain), 3)
+        result = program.impact(make(strain), *THREE)
         size = abs(cm(result) / reference - 1)
         if best is None or size < best[0]:
             best = (size, strain)
@@ -268,19 +115,18 @@ def mould_settings(program, prisms_and_strains, density):
         line = [name]
         for prism, strain in prisms_and_strains:
             keys = dict(change, fine=2 * prism.half_width) if "fine" in change else change
-            line.append(depth_text(program.impact(mould_scene(prism, density, strain=strain, speed=f'"{prism.calibrated} m/s"', **keys), 3)))
+            line.append(depth_text(program.impact(mould_scene(prism, density, strain=strain, speed=f'"{prism.calibrated} m/s"', **keys), *THREE)))
         lines.append(line)
     return table(["change", *(f"{prism.name} at {prism.calibrated:g} m/s, cm" for prism, _ in prisms_and_strains)], lines)
 
 
 def ranking(program, square, rhombus, strains, ball_strain, density):
     """Table 5-3: 0.7027 g each at 40 m/s, in the thesis's domain and in the mould."""
-    with open(DATA / "angularity.csv", newline="") as file:
-        printed = {row["shape"]: float(row["penetration_cm"]) for row in csv.DictReader(line for line in file if not line.startswith("#"))}
+    printed = {row["shape"]: row["penetration_cm"] for row in with_numbers(rows_of(THESIS / "angularity.csv"))}
     small = dict(speed='"40 m/s"', side='"5.64 mm"', mass='"0.7027 g"', half_width=5.64 * math.sqrt(0.5))
     rhombic = dict(speed='"40 m/s"')
-    own = program.impacts([thesis_scene(rhombus, **rhombic), thesis_scene(square, **small), ball_scene(2.78, 40, 0.7, 464, mould=False)], 3)
-    wide = program.impacts([mould_scene(rhombus, density, strain=strains[1], **rhombic), mould_scene(square, density, strain=strains[0], **small), ball_scene(2.78, 40, ball_strain, density, mould=True)], 3)
+    own = program.impacts([thesis_scene(rhombus, **rhombic), thesis_scene(square, **small), ball_scene(2.78, 40, 0.7, 464, mould=False)], *THREE)
+    wide = program.impacts([mould_scene(rhombus, density, strain=strains[1], **rhombic), mould_scene(square, density, strain=strains[0], **small), ball_scene(2.78, 40, ball_strain, density, mould=True)], *THREE)
     order = lambda depths: " > ".join(name for _, name in sorted(zip(depths, ("rhombus", "square", "sphere")), reverse=True))
     lines = [[name, f"{printed[name]:.2f}", depth_text(a), depth_text(b)] for name, a, b in zip(("rhombus 60", "square 45", "sphere"), own, wide)]
     orders = order(printed[name] for name in ("rhombus 60", "square 45", "sphere")), order(map(cm, own)), order(map(cm, wide))
@@ -296,8 +142,8 @@ def orientations(program, square, strain, density, mesh=7):
         half_width = square.half_width * max(math.cos(turned), math.sin(turned))
         text = mould_scene(square, density, mesh=mesh, strain=strain, speed='"50 m/s"', orientation=f'"{angle} deg"', half_width=half_width, fine=square.half_width)
         return text.replace("[mesh]\n", "[mesh]\nwhole = true\n").replace("\norientation", f'\nrotation = "{rotation}"\norientation')
-    for (angle, rotation), r in zip(cases, program.impacts([make(*case) for case in cases], 3)):
-        turns = [math.degrees(run["turn_rad"]) for run in r["runs"]]
+    for (angle, rotation), r in zip(cases, program.impacts([make(*case) for case in cases], *THREE)):
+        turns = [math.degrees(run.turn) for run in r.runs]
         lines.append([str(angle), rotation, depth_text(r), ", ".join(f"{t:+.1f}" for t in turns) if rotation == "free" else "held"])
     return table(["turned by, deg", "rotation", "depth, cm", "turned further in the three runs, deg"], lines)
 
@@ -314,8 +160,8 @@ def own_section(program, square, rhombus):
 def printed_section(program, rhombus):
     ladder, rungs = rhombus_ladder(program, rhombus)
     inviscid, soft = program.impacts([thesis_scene(rhombus, mesh=30, strain=0.975, solver="[solver]\n" + keys)
-                                      for keys in ("linear_viscosity = 0\nquadratic_viscosity = 0\n", "contact_stiffness = 0.15625\n")])
-    return PRINTED.format(ladder=ladder, viscosity=100 * max(r["energy"]["viscosity"] for r in rungs), inviscid=depth_text(inviscid), soft=depth_text(soft), viscous=depth_text(rungs[LADDER.index(30)]),
+                                      for keys in ("linear_viscosity = 0\nquadratic_viscosity = 0\n", "contact_stiffness = 0.15625\n")], *ONE)
+    return PRINTED.format(ladder=ladder, viscosity=100 * max(r.energy["viscosity"] for r in rungs), inviscid=depth_text(inviscid), soft=depth_text(soft), viscous=depth_text(rungs[LADDER.index(30)]),
                           finest=depth_text(rungs[-1]), short=100 * (1 - cm(rungs[-1]) / 3.46))
 
 
@@ -338,22 +184,13 @@ def turned_section(program, square, strain):
     return TURNED.format(strain=strain, table=orientations(program, square, strain, 1010), reading=TURNED_READING)
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("program")
-    parser.add_argument("--store")
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--page", type=pathlib.Path, default=HERE / "prisms.md")
-    options = parser.parse_args()
+def page(program):
     square, rhombus = prisms()
-    with tempfile.TemporaryDirectory() as folder:
-        program = Program(options.program, options.store, folder, options.jobs)
-        page = own_section(program, square, rhombus) + printed_section(program, rhombus)
-        section, strains = mould_section(program, square, rhombus)
-        page += section + ranking_section(program, square, rhombus, strains) + turned_section(program, square, strains[0])
-        head = HEAD.format(version=program.version, level=program.level, processor=processor(), tolerated=100 * TOLERATED)
-        options.page.write_text(head + page.rstrip() + "\n")
+    text = own_section(program, square, rhombus) + printed_section(program, rhombus)
+    section, strains = mould_section(program, square, rhombus)
+    text += section + ranking_section(program, square, rhombus, strains) + turned_section(program, square, strains[0])
+    return HEAD.format(machine=program.machine(), tolerated=100 * TOLERATED) + text.rstrip() + "\n"
 
 
 if __name__ == "__main__":
-    main()
+    write_page(command_line(__doc__, "prisms.md", store=Store.PERCALS, jobs=1), page)

@@ -1,11 +1,10 @@
 """Writes docs/verification/fit_speed.md: percal's curve fits beside SciPy's least_squares, in a process and as one.
 
     cmake --build build/release --target fit_bench percal_program
-    python3 tests/bench/fit_bench.py build/release [--python PYTHON] [--out PAGE]
+    python3 tests/bench/fit_bench.py build/release [--python PYTHON] [--page PAGE]
 
 PYTHON is a Python with SciPy (default: the one that runs this); without SciPy its columns stay empty. Everything runs on one thread.
 """
-import argparse
 import datetime
 import json
 import os
@@ -15,14 +14,11 @@ import subprocess
 import sys
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parent.parent
-sys.path.insert(0, str(ROOT / "docs" / "verification"))
-from machine import processor  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "docs" / "verification"))
+from harness import Failed, command_line, output, processor, table  # noqa: E402
 
-SIZES = (24, 100, 1000)
 PROCESSES = 11
-ONE_THREAD = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
 # What SciPy does with the same file: the same objective over (ln mu, alpha), with the derivatives written out. `one start` begins at alpha = 2;
 # `same search` scans alpha at 801 values with mu solved for, as percal does, and starts from every minimum of the scan.
@@ -86,7 +82,7 @@ def process_ms(command):
     """Median processor time of a process, milliseconds, start and end included."""
     each = []
     for _ in range(PROCESSES):
-        child = subprocess.Popen(command, stdout=subprocess.DEVNULL, env=ONE_THREAD)
+        child = subprocess.Popen(command, stdout=subprocess.DEVNULL, env={**os.environ, **ONE_THREAD})
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
         if child.returncode != 0:
@@ -96,8 +92,10 @@ def process_ms(command):
 
 
 def scipy_version(python):
-    done = subprocess.run([python, "-c", "import scipy; print(scipy.__version__)"], capture_output=True, text=True)
-    return done.stdout.strip() if done.returncode == 0 else None
+    try:
+        return output([python, "-c", "import scipy; print(scipy.__version__)"]).strip()
+    except Failed:
+        return None
 
 
 def measure(build, python, with_scipy, folder):
@@ -105,14 +103,13 @@ def measure(build, python, with_scipy, folder):
     script = folder / "scipy_fit.py"
     script.write_text(SCIPY)
     rows = []
-    for row in json.loads(subprocess.run([bench], check=True, capture_output=True, text=True, env=ONE_THREAD).stdout):
+    for row in json.loads(output([bench], environment=ONE_THREAD)):
         curve = folder / f"curve_{row['points']}.csv"
-        curve.write_text(subprocess.run([bench, "csv", str(row["points"])], check=True, capture_output=True, text=True).stdout)
+        curve.write_text(output([bench, "csv", row["points"]]))
         row["process_ms"] = process_ms([percal, "fit", str(curve), "--json"])
         row["bare_process_ms"] = process_ms([percal, "fit", str(curve), "--json", "--no-intervals"])
         if with_scipy:
-            done = subprocess.run([python, str(script), str(curve)], check=True, capture_output=True, text=True, env=ONE_THREAD)
-            row["scipy"] = json.loads(done.stdout)
+            row["scipy"] = json.loads(output([python, script, curve], environment=ONE_THREAD))
             row["scipy"]["process_ms"] = process_ms([python, str(script), str(curve), "once"])
         rows.append(row)
     start = {"percal": process_ms([percal, "--version"])}
@@ -125,38 +122,40 @@ def page(rows, start, version):
     def of_scipy(row, key):
         return f"{row['scipy'][key]:.3g}" if "scipy" in row else ""
 
-    lines = ["# What a curve fit costs", "",
-             f"Written by `tests/bench/fit_bench.py` on {datetime.date.today()}: {processor()}, {os.cpu_count()} cores, shared with other work (load average "
-             f"{os.getloadavg()[0]:.1f} at the end).",
-             f"Milliseconds of processor time on one thread: medians of up to 201 calls in a process and of {PROCESSES} processes. The points are uniaxial, stretch",
-             "0.65 to 1.3, of a one-term Ogden solid (mu 11.64 kPa, alpha 9) with 2 % noise; relative residuals.", "",
-             "| points | percal, in a process: fit | intervals | percal fit as a process | without intervals | SciPy, in a process: one start | the same search | SciPy script as a process |",
-             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
-    for row in rows:
-        lines.append(f"| {row['points']} | {row['fit_ms']:.3g} | {row['intervals_ms']:.3g} | {row['process_ms']:.3g} | {row['bare_process_ms']:.3g} | {of_scipy(row, 'one_start_ms')} | "
-                     f"{of_scipy(row, 'same_search_ms')} | {of_scipy(row, 'process_ms')} |")
-    lines += ["", f"A process that starts and does nothing else: `percal --version` {start['percal']:.3g} ms"
-              + (f"; Python with `import numpy, scipy.optimize` {start['scipy']:.3g} ms (SciPy {version})." if version else "."), "",
-              "percal scans alpha at 801 values from -40 to 40, mu solved for at each, and runs Ceres from every minimum of the scan. The SciPy column `the same search`",
-              "does that too with NumPy and `least_squares` (derivatives written out); `one start` begins at alpha = 2 and would not know of a second minimum. A process reads",
-              "its CSV file; percal's also writes its JSON. `intervals` are the profile-likelihood intervals of mu and alpha, which SciPy has none of."]
+    head = ["points", "percal, in a process: fit", "intervals", "percal fit as a process", "without intervals", "SciPy, in a process: one start", "the same search",
+            "SciPy script as a process"]
+    costs = table(head, [[row["points"], *(f"{row[key]:.3g}" for key in ("fit_ms", "intervals_ms", "process_ms", "bare_process_ms")),
+                          *(of_scipy(row, key) for key in ("one_start_ms", "same_search_ms", "process_ms"))] for row in rows])
+    bare = f"; Python with `import numpy, scipy.optimize` {start['scipy']:.3g} ms (SciPy {version})." if version else "."
+    text = f"""# What a curve fit costs
+
+Written by `tests/bench/fit_bench.py` on {datetime.date.today()}: {processor()}, {os.cpu_count()} cores, shared with other work (load average {os.getloadavg()[0]:.1f} at the end).
+Milliseconds of processor time on one thread: medians of up to 201 calls in a process and of {PROCESSES} processes. The points are uniaxial, stretch
+0.65 to 1.3, of a one-term Ogden solid (mu 11.64 kPa, alpha 9) with 2 % noise; relative residuals.
+
+{costs}
+
+A process that starts and does nothing else: `percal --version` {start['percal']:.3g} ms{bare}
+
+percal scans alpha at 801 values from -40 to 40, mu solved for at each, and runs Ceres from every minimum of the scan. The SciPy column `the same search`
+does that too with NumPy and `least_squares` (derivatives written out); `one start` begins at alpha = 2 and would not know of a second minimum. A process reads
+its CSV file; percal's also writes its JSON. `intervals` are the profile-likelihood intervals of mu and alpha, which SciPy has none of.
+"""
     if version:
         worst = max(abs(row[key] / row["scipy"][key] - 1) for row in rows for key in ("mu_Pa", "alpha", "objective"))
-        lines += ["", f"Both find the same minimum: mu, alpha and objective differ by {worst:.1e} of themselves at most."]
-    return "\n".join(lines) + "\n"
+        text += f"\nBoth find the same minimum: mu, alpha and objective differ by {worst:.1e} of themselves at most.\n"
+    return text
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("build", type=pathlib.Path)
+    parser = command_line(__doc__, "fit_speed.md", "build")
     parser.add_argument("--python", default=sys.executable)
-    parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/verification/fit_speed.md")
-    arguments = parser.parse_args()
-    version = scipy_version(arguments.python)
+    options = parser.parse_args()
+    version = scipy_version(options.python)
     with tempfile.TemporaryDirectory() as folder:
-        rows, start = measure(arguments.build, arguments.python, version is not None, pathlib.Path(folder))
+        rows, start = measure(pathlib.Path(options.build), options.python, version is not None, pathlib.Path(folder))
     text = page(rows, start, version)
-    arguments.out.write_text(text)
+    options.page.write_text(text)
     print(text, end="")
 
 
