@@ -11,12 +11,12 @@ import shutil
 
 from harness import command_line, figures_of, percent, processor, table
 
-HYPOTHESIS = "reading"  # the page's word
+HYPOTHESIS = "hypothesis"  # the page's word
 
 
 def hypotheses(result):
     """Of docs/formats/calibrate.md: what the result says under each set of assumptions."""
-    return result["readings"]
+    return result["hypotheses"]
 
 
 def pressure(x):
