@@ -132,8 +132,8 @@ PageSection tables_section(const Json& result, const std::string& key, const std
 
 PageSection card_section(const Json& result) {
   PageSection section{.id = "card", .title = "The material card", .blocks = {}};
-  const Json& card = at(result, "card");
-  if (!card.is_object()) return section;
+  if (list(result, "cards").empty()) return section;
+  const Json& card = list(result, "cards").front();
   PageTable table{.caption = text(card, "name"), .rows = {{"", ""}}, .notes = {}};
   table.rows.push_back({"density", shown(number(card, "density_kg_m3")) + " kg/m3"});
   if (const auto mu = number(card, "mu_true_Pa")) table.rows.push_back({"mu, true", pressure(mu)});
