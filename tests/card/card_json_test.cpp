@@ -81,7 +81,7 @@ TEST(CardJson, NamesTheKeyInsideErosion) {
 }
 
 TEST(CardJson, SaysWhatAResultWithoutACardLacks) {
-  EXPECT_THAT(refusal_of_text(R"({"minima": [{"mu_Pa": 1, "alpha": 2}], "cards": []})"), HasSubstr("percal fit"));
+  EXPECT_THAT(refusal_of_text(R"({"minima": [{"mu_Pa": 1, "alpha": 2}], "cards": []})"), HasSubstr("found no card"));
   EXPECT_THAT(refusal_of_text("{}"), HasSubstr("card object"));
   EXPECT_THAT(refusal_of_text(R"({"card": null})"), HasSubstr("card object"));
   EXPECT_THAT(refusal_of_text("[1]"), HasSubstr("card object"));
