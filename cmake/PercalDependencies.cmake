@@ -8,6 +8,7 @@ find_package(fmt 9 REQUIRED)
 find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(pugixml REQUIRED)
 find_package(NLopt CONFIG QUIET PATHS /usr/lib/x86_64-linux-gnu/cmake/nlopt_cxx NO_DEFAULT_PATH)
 if(NOT NLopt_FOUND)
   find_package(NLopt CONFIG REQUIRED)
@@ -17,5 +18,5 @@ find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
 add_library(percal_dependencies INTERFACE)
 target_include_directories(percal_dependencies SYSTEM INTERFACE ${TOMLPLUSPLUS_INCLUDE})
 target_link_libraries(percal_dependencies INTERFACE
-  Ceres::ceres GSL::gsl GSL::gslcblas Eigen3::Eigen SQLite::SQLite3 ZLIB::ZLIB OpenSSL::Crypto
+  Ceres::ceres GSL::gsl GSL::gslcblas Eigen3::Eigen SQLite::SQLite3 ZLIB::ZLIB OpenSSL::Crypto pugixml::pugixml
   $<IF:$<TARGET_EXISTS:NLopt::nlopt_cxx>,NLopt::nlopt_cxx,NLopt::nlopt>)

@@ -32,5 +32,5 @@ if(TARGET percal_python)
          "python3 (<< ${Python3_VERSION_MAJOR}.${next_minor}), python3-numpy")
 endif()
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "g++, cmake, libceres-dev, libnlopt-cxx-dev, libgsl-dev, libeigen3-dev, nlohmann-json3-dev, libfmt-dev, libsqlite3-dev, zlib1g-dev, libssl-dev")
+  "g++, cmake, libceres-dev, libnlopt-cxx-dev, libgsl-dev, libeigen3-dev, nlohmann-json3-dev, libfmt-dev, libsqlite3-dev, zlib1g-dev, libssl-dev, libpugixml-dev")
 include(CPack)

@@ -1,25 +1,219 @@
-// percal card write: the material card of a result, on standard output or in a file.
-#include "card_options.hpp"
+// percal card write: the card of a result, or the card in a single-element test. percal card read, check: what a card means.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "percal/card/card_comments.hpp"
+#include "percal/card/card_curve.hpp"
+#include "percal/card/card_json.hpp"
+#include "percal/card/card_text.hpp"
+#include "percal/card/solver.hpp"
 #include "percal/text/file.hpp"
+#include "percal/units/quantity.hpp"
+#include "percal/units/words.hpp"
+#include "pages.hpp"
 
 namespace percal::tools {
+namespace {
 
-Exit run_card_write(const CardArguments& card, const Common& common) {
-  const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
-  const CardMaterial material = card_of_result(read_file(card.result), card.result, card_request(card));
-  const std::optional<Solver> solver = solver_of_word(card.solver);
-  const std::string text = solver ? write_card(*solver, material, units) : csv_card(material, units, curve_range(card));
+using nlohmann::json;
+
+void print_text(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (std::fflush(stdout) != 0 || !written) throw IoFailure("standard output: cannot be written");
+}
+
+void print_json(const json& value) { print_text(value.dump(2, ' ', false, json::error_handler_t::replace) + "\n"); }
+
+double density_of(const std::string& text) {
+  const std::string accepted = "a positive density with its unit, such as \"1010 kg/m3\"";
+  const Place place{"", 0, "--density"};
+  try {
+    const Quantity density = parse_quantity(text);
+    if (density.dimension == dimension::density && density.value > 0) return density.value;
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(place, in_quotes(text) + " (" + error.what() + ")", accepted);
+  }
+  throw BadInput(place, in_quotes(text), accepted);
+}
+
+// --density, --bulk-to-shear or --nu, and --name or --card.
+CardRequest request_of(const CardArguments& card) {
+  CardRequest request{.name = card.name};
+  if (!card.density.empty()) request.density = density_of(card.density);
+  if (card.bulk_to_shear && !(*card.bulk_to_shear > 0 && std::isfinite(*card.bulk_to_shear)))
+    throw BadInput({"", 0, "--bulk-to-shear"}, std::to_string(*card.bulk_to_shear), "a positive number K/mu");
+  if (card.nu && !(*card.nu > -1 && *card.nu < 0.5))
+    throw BadInput({"", 0, "--nu"}, std::to_string(*card.nu), "a number between -1 and 0.5");
+  request.bulk_to_shear = card.nu ? bulk_to_shear(*card.nu) : card.bulk_to_shear;
+  return request;
+}
+
+// --mode, --range and --points.
+CurveRange range_of(const CardArguments& card) {
+  CurveRange range;
+  const auto deformation = deformation_of(card.mode);
+  if (!deformation) throw BadInput({"", 0, "--mode"}, in_quotes(card.mode), "uniaxial, equibiaxial, planar or shear");
+  range.deformation = *deformation;
+  if (range.deformation == Deformation::simple_shear) range.low = 0, range.high = 1;
+  if (!card.range.empty()) {
+    const auto colon = card.range.find(':');
+    const auto low = field_number(card.range.substr(0, colon));
+    const auto high = colon == std::string::npos ? std::nullopt : field_number(card.range.substr(colon + 1));
+    if (!low || !high) throw BadInput({"", 0, "LOW:HIGH"}, in_quotes(card.range), "two numbers such as 0.5:2");
+    range.low = *low;
+    range.high = *high;
+  }
+  range.points = card.points;
+  return range;
+}
+
+// `what` ("card", "deck") of a result for a solver: one file is written as --file says; several go to its folder under their own
+// names.
+Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const std::string& of_what,
+             const CardArguments& card, const Common& common) {
   if (common.check) {
-    if (!common.quiet) print_text(card.result + ": a result that " + card.solver + " can have a card of\n");
+    if (!common.quiet)
+      print_text(fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
     return Exit::done;
   }
   if (card.file.empty()) {
-    print_text(text);
+    std::vector<std::string> names;
+    for (const DeckFile& file : files) names.push_back(file.name);
+    if (files.size() > 1)
+      throw BadInput(
+          Place{.file = "", .line = 0, .key = "--file"}, "nothing",
+          fmt::format("a name: the {} for {} is {} files, as {}", what, card.solver, files.size(), listed(names)));
+    print_text(files.front().text);
     return Exit::done;
   }
-  write_file(card.file, text);
-  if (!common.quiet)
-    print_text("wrote " + card.file + ": '" + material.name + "' for " + card.solver + " in " + units.name + "\n");
+  for (const DeckFile& file : files) {
+    const std::string path =
+        files.size() == 1 ? card.file : (std::filesystem::path(card.file).parent_path() / file.name).string();
+    write_file(path, file.text);
+    if (!common.quiet) print_text(fmt::format("wrote {}: {}\n", path, of_what));
+  }
+  return Exit::done;
+}
+
+// A material read from a card or, without a solver, from a result of percal.
+ReadCard read(const CardArguments& card) {
+  const std::string text = read_file(card.card);
+  const auto start = text.find_first_not_of(" \t\r\n");
+  if (start != std::string::npos && text[start] == '{')
+    return {{card_of_result(text, card.card, request_of(card)), 0}, "", "si"};
+  return read_card({text, card.card, card.solver, card.units, card.name});
+}
+
+std::string pressure(double pascals) {
+  const double size = std::abs(pascals);
+  if (size >= 1e9) return fmt::format("{:.9g} GPa", pascals / 1e9);
+  if (size >= 1e6) return fmt::format("{:.9g} MPa", pascals / 1e6);
+  if (size >= 1e3) return fmt::format("{:.9g} kPa", pascals / 1e3);
+  return fmt::format("{:.9g} Pa", pascals);
+}
+
+// What the card says, in both conventions of the modulus.
+std::string summary(const ReadCard& read, const std::string& file) {
+  const CardMaterial& material = read.found.material;
+  const double mu = shear_modulus(material), ratio = material.bulk_modulus / mu;
+  std::string text = fmt::format("{}: material '{}'", file, material.name);
+  text += read.solver.empty() ? "\n" : fmt::format(", a card for {} in {}\n", read.solver, read.units);
+  std::vector<std::vector<std::string>> rows = {{"term", "mu", "alpha", "2 mu/alpha"}};
+  for (std::size_t k = 0; k < material.terms.size(); ++k) {
+    const Ogden& term = material.terms[k];
+    rows.push_back({std::to_string(k + 1), pressure(term.mu), fmt::format("{:.9g}", term.alpha),
+                    pressure(2 * term.mu / term.alpha)});
+  }
+  text += aligned(rows);
+  text +=
+      fmt::format("  small-strain shear modulus mu: {}, Young's modulus 3 mu: {}\n", pressure(mu), pressure(3 * mu));
+  text += fmt::format("  bulk modulus K: {} = {:.6g} mu, Poisson's ratio {:.9g}\n", pressure(material.bulk_modulus),
+                      ratio, poisson_ratio(ratio));
+  text += fmt::format("  density: {:.9g} kg/m3\n", material.density);
+  text += material.erosion ? "  erosion at a largest principal strain of " + in_all_measures(*material.erosion) + "\n"
+                           : "  no erosion\n";
+  for (const std::string& one : read.found.ignored) text += "  passed over: " + one + "\n";
+  return text;
+}
+
+std::string curve_text(const CardMaterial& material, const CurveRange& range) {
+  const bool shear = range.deformation == Deformation::simple_shear;
+  const double mu = shear_modulus(material), bulk = material.bulk_modulus;
+  std::vector<std::vector<std::string>> rows = {{shear ? "shear" : "stretch", "nominal stress", "Cauchy stress"}};
+  for (const CurvePoint& point : card_curve(material, range))
+    rows.push_back({fmt::format("{:.6g}", point.amount), pressure(point.stress),
+                    pressure(shear ? point.stress : point.stress * point.amount)});
+  std::string text = fmt::format("  {}, incompressible (closed form, K without limit):\n", word(range.deformation));
+  text += aligned(rows);
+  text += fmt::format(
+      "  with this K Young's modulus is 9 K mu/(3 K + mu) = {}, {:.3g} % below 3 mu; away from J = 1 the programs'\n"
+      "  volumetric laws differ\n",
+      pressure(9 * bulk * mu / (3 * bulk + mu)), 100 * mu / (3 * bulk + mu));
+  return text + "  " + stability_of(material) + "\n";
+}
+
+json points_of(const CardMaterial& material, const CurveRange& range) {
+  json amounts = json::array(), stresses = json::array();
+  for (const CurvePoint& point : card_curve(material, range)) {
+    amounts.push_back(point.amount);
+    stresses.push_back(point.stress);
+  }
+  return {{"deformation", word(range.deformation)}, {"stretch_or_shear", amounts}, {"nominal_stress_Pa", stresses}};
+}
+
+json as_json(const ReadCard& read) {
+  return {{"card", card_to_json(read.found.material)},
+          {"solver", read.solver.empty() ? json(nullptr) : json(read.solver)},
+          {"units", read.units},
+          {"passed_over", read.found.ignored}};
+}
+
+}  // namespace
+
+Exit run_card_write(const CardArguments& card, const Common& common) {
+  const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
+  const CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));
+  const std::string of_what = fmt::format("'{}' for {} in {}", material.name, card.solver, units.name);
+  if (!card.deck.empty()) {
+    const UniaxialTest test{.stretch = card.stretch, .increments = card.increments};
+    return deliver(
+        uniaxial_deck(solver_named(card.solver), material, units, test, card.file.empty() ? "uniaxial" : card.file),
+        "deck", "uniaxial test of " + of_what, card, common);
+  }
+  const std::string text = card.solver == "csv" ? csv_card(material, units, range_of(card))
+                                                : solver_named(card.solver).card(material, units);
+  return deliver({{card.file, text}}, "card", of_what, card, common);
+}
+
+Exit run_card_read(const CardArguments& card, const Common& common) {
+  const ReadCard found = read(card);
+  if (common.json) {
+    print_json(as_json(found));
+  } else {
+    print_text(summary(found, card.card));
+  }
+  return Exit::done;
+}
+
+Exit run_card_check(const CardArguments& card, const Common& common) {
+  const ReadCard found = read(card);
+  const CardMaterial& material = found.found.material;
+  const CurveRange range = range_of(card);
+  if (!card.csv.empty()) write_file(card.csv, csv_card(material, unit_system(found.units), range));
+  if (common.json) {
+    json result = as_json(found);
+    result["curve"] = points_of(material, range);
+    result["stability"] = stability_of(material);
+    print_json(result);
+  } else {
+    print_text(summary(found, card.card) + curve_text(material, range));
+  }
   return Exit::done;
 }
 

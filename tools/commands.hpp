@@ -78,7 +78,7 @@ struct StudyArguments {
 struct CardArguments {
   std::string result;  // of write
   std::string card;    // of read and check
-  std::string solver;  // of Solver, or csv
+  std::string solver;  // a word of solvers(), or csv
   std::string units;   // empty: si to write, the card's own to read
   std::string file;    // where to write; empty: standard output
   std::string deck;    // uniaxial; empty: the card alone
@@ -132,7 +132,6 @@ Exit run_identify(const IdentifyArguments&, const Common&);
 Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
-Exit run_card_deck(const CardArguments&, const Common&);
 Exit run_card_read(const CardArguments&, const Common&);
 Exit run_card_check(const CardArguments&, const Common&);
 Exit run_store_merge(const StoreArguments&, const Common&);

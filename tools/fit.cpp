@@ -8,6 +8,8 @@
 
 #include "fit_output.hpp"
 #include "fit_text.hpp"
+#include "percal/card/card_json.hpp"
+#include "percal/fit/cards.hpp"
 #include "percal/fit/fit_json.hpp"
 #include "percal/fit/read_curves.hpp"
 #include "percal/fit/uncertainty_json.hpp"
@@ -99,6 +101,7 @@ Exit run_fit(const FitArguments& arguments, const Common& common) {
   result.update(to_json(fit, data, stretches));
   result["data"] = points_of_tests(data, fit.tests);
   result["uncertainty"] = arguments.intervals ? to_json(uncertainty) : json(nullptr);
+  result["cards"] = cards_to_json(fit_cards(data, fit, uncertainty));
   if (arguments.compare) result["comparison"] = to_json(models, stretches);
   result["cost"] = clock.cost();
   deliver(result, common);

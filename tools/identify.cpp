@@ -11,8 +11,7 @@
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/campaign/campaign.hpp"
-#include "percal/card/abaqus.hpp"
-#include "percal/card/lsdyna.hpp"
+#include "percal/card/solver.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/result_json.hpp"
 #include "percal/impact/kernel.hpp"
@@ -42,8 +41,8 @@ void print(const ComparisonTable& table, const std::string& reference_name) {
 
 void write_cards(const CardMaterial& card, const std::string& folder) {
   const UnitSystem lsdyna = unit_system("mm-ms-kg-GPa"), abaqus = unit_system("mm-t-s-MPa");
-  write_file(folder + "/" + card.name + "_lsdyna.k", lsdyna_card(card, lsdyna));
-  write_file(folder + "/" + card.name + "_abaqus.inp", abaqus_card(card, abaqus));
+  write_file(folder + "/" + card.name + "_lsdyna.k", solver_named("lsdyna").card(card, lsdyna));
+  write_file(folder + "/" + card.name + "_abaqus.inp", solver_named("abaqus").card(card, abaqus));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // Options of the commands that run no impact: fit, scale, card, store, report, new.
 #include "options.hpp"
+#include "percal/card/solver.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal::tools {
 
@@ -66,13 +68,13 @@ void add_card_write(CLI::App& card_command, CardArguments& card, Common& common,
   auto* command = card_command.add_subcommand("write", "write the card of a result");
   command->add_option("result", card.result, "result.json of identify, calibrate or fit, or of card read --json")
       ->required();
-  command
-      ->add_option("--solver", card.solver, "lsdyna, abaqus, calculix, openradioss, febio, ansys, or csv for a table")
-      ->required()
-      ->check(CLI::IsMember({"lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys", "csv"}));
+  auto targets = solver_words();
+  auto* solver = command->add_option("--solver", card.solver, listed(targets) + ", or csv for a table")->required();
+  targets.push_back("csv");
+  solver->check(CLI::IsMember(targets));
   command->add_option("--units", card.units, "unit system of the card: si, mm-t-s-MPa, mm-ms-kg-GPa, um-us-ng-MPa");
   command->add_option("--file", card.file, "file to write (default: standard output)");
-  command->add_option("--card,--name", card.name, "which card of a calibration; the name of a fit's card");
+  command->add_option("--card,--name", card.name, "which of several cards; the name of a single one");
   command->add_option("--density", card.density, "density, such as \"1010 kg/m3\"; a fit does not know it");
   auto* ratio = command->add_option("--bulk-to-shear", card.bulk_to_shear, "K/mu; a fit does not know it");
   command->add_option("--nu", card.nu, "Poisson's ratio instead")->excludes(ratio);
@@ -90,14 +92,13 @@ void add_card_write(CLI::App& card_command, CardArguments& card, Common& common,
       "          percal card write gel.out/result.json --solver febio --density \"1010 kg/m3\" --nu 0.495\n"
       "          percal card write skin.out/result.json --solver calculix --units mm-t-s-MPa --deck uniaxial "
       "--file skin.inp");
-  commands.push_back(
-      {command, [&] { return card.deck.empty() ? run_card_write(card, common) : run_card_deck(card, common); }});
+  commands.push_back({command, [&] { return run_card_write(card, common); }});
 }
 
 void add_card_source(CLI::App& command, CardArguments& card) {
-  command.add_option("card", card.card, "a card of one of the six programs, or a result of percal")->required();
+  command.add_option("card", card.card, "a card of one of the programs, or a result of percal")->required();
   command.add_option("--solver", card.solver, "the program (default: found by its keywords)")
-      ->check(CLI::IsMember({"lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"}));
+      ->check(CLI::IsMember(solver_words()));
   command.add_option("--units", card.units, "units of its numbers (default: as the comment of a percal card says)");
   command.add_option("--name", card.name, "which of several materials");
 }

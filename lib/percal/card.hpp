@@ -4,7 +4,7 @@
 // convention and your units.
 //
 //     const percal::CardMaterial gel = percal::card_of_result(percal::read_file("result.json"), "result.json");
-//     std::cout << percal::write_card(percal::Solver::lsdyna, gel, percal::unit_system("mm-t-s-MPa"));
+//     std::cout << percal::solver_named("lsdyna").card(gel, percal::unit_system("mm-t-s-MPa"));
 //
 // See docs/formats/cards.md.
 #pragma once

@@ -8,6 +8,8 @@
 #include "core.hpp"
 #include "percal/base/error.hpp"
 #include "percal/base/version.hpp"
+#include "percal/card/card_json.hpp"
+#include "percal/fit/cards.hpp"
 #include "percal/fit/fit_json.hpp"
 #include "percal/fit/read_curves.hpp"
 #include "percal/fit/uncertainty_json.hpp"
@@ -148,7 +150,10 @@ py::tuple fit(const CurveData& data, const Options& options) {
   interruptible([&](const std::atomic<bool>& stop) {
     const CurveFit found = fit_curves(data, options.curve);
     result.update(to_json(found, data, options.stretches));
-    if (!stop) result["uncertainty"] = to_json(uncertainty_of(data, found, options.uncertainty));
+    if (stop) return;
+    const Uncertainty uncertainty = uncertainty_of(data, found, options.uncertainty);
+    result["uncertainty"] = to_json(uncertainty);
+    result["cards"] = cards_to_json(fit_cards(data, found, uncertainty));
   });
   return py::make_tuple(result.dump(-1, ' ', false, json::error_handler_t::replace), columns_of(data));
 }

@@ -1,4 +1,4 @@
-#include "percal/card/abaqus.hpp"
+#include "percal/card/abaqus/abaqus.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,13 +9,10 @@ namespace {
 
 using card_test::line_under;
 using card_test::lines_of;
+using card_test::read_card;
 using card_test::skin;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-CardMaterial read_one(const std::string& text, const std::string& file, const UnitSystem& units) {
-  return only_card(read_abaqus_cards(text, file, units), file).material;
-}
 
 TEST(AbaqusCard, CarriesTheTrueModulusAndTwoOverK) {
   const std::string card = abaqus_card(skin(), unit_system("mm-t-s-MPa"));
@@ -55,7 +52,7 @@ TEST(AbaqusCard, HasFieldsOfAtMostTwentyCharactersAndComesBack) {
       EXPECT_LE(field.size() - (field.starts_with(' ') ? 1 : 0), 20u) << field;
       field.clear();
     }
-    const CardMaterial back = read_one(card, "card.inp", units);
+    const CardMaterial back = read_card("abaqus", card, units, "card.inp");
     // twenty characters hold at least fifteen digits of these numbers
     EXPECT_NEAR(back.terms[0].mu / material.terms[0].mu, 1, 3e-14) << name;
     EXPECT_NEAR(back.terms[0].alpha / material.terms[0].alpha, 1, 3e-14) << name;
@@ -91,7 +88,7 @@ TEST(AbaqusCard, IsNotBrokenByOddComments) {
 
 std::string refusal(const std::string& card) {
   try {
-    read_one(card, "card.inp", unit_system("si"));
+    read_card("abaqus", card, unit_system("si"), "card.inp");
   } catch (const BadInput& error) {
     return error.what();
   }

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "card/card_test.hpp"
-#include "percal/card/uniaxial_deck.hpp"
+#include "percal/card/solver.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -57,7 +57,7 @@ std::vector<Measured> read_dat(const std::string& file, double area, double stre
 std::vector<Measured> run_ccx(const CardMaterial& material, double stretch, int increments = 20) {
   const UnitSystem units = unit_system("mm-t-s-MPa");
   const test::TemporaryFolder folder;
-  const auto deck = uniaxial_deck_files(Solver::calculix, material, units, {stretch, increments}, "cube").front();
+  const auto deck = uniaxial_deck(solver_named("calculix"), material, units, {stretch, increments}, "cube").front();
   std::ofstream(folder.path(deck.name)) << deck.text;
   const std::string command = "cd " + folder.path("") + " && OMP_NUM_THREADS=1 ccx cube > cube.log 2>&1";
   if (std::system(command.c_str()) != 0) return {};

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "card/card_test.hpp"
@@ -14,14 +15,16 @@ using nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string refusal(const json& card) {
+std::string refusal_of_text(const std::string& result, const CardRequest& request = {}) {
   try {
-    card_of_result(json{{"card", card}}.dump(), "result.json");
+    card_of_result(result, "result.json", request);
   } catch (const BadInput& error) {
     return error.what();
   }
   return "";
 }
+
+std::string refusal(const json& card) { return refusal_of_text(json{{"card", card}}.dump()); }
 
 json with(const std::string& key, const json& value) {
   json card = card_to_json(skin());
@@ -78,22 +81,82 @@ TEST(CardJson, NamesTheKeyInsideErosion) {
 }
 
 TEST(CardJson, SaysWhatAResultWithoutACardLacks) {
-  const auto refused = [](const std::string& text) -> std::string {
-    try {
-      card_of_result(text, "result.json");
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_THAT(refused(R"({"minima": [{"mu_Pa": 1, "alpha": 2}]})"),
-              AllOf(HasSubstr("percal fit"), HasSubstr("density")));
-  EXPECT_THAT(refused("{}"), HasSubstr("card object"));
-  EXPECT_THAT(refused(R"({"card": null})"), HasSubstr("card object"));
-  EXPECT_THAT(refused("[1]"), HasSubstr("card object"));
-  EXPECT_THAT(refused("{\n\"a\": 1,\n oops"), HasSubstr("result.json:3"));
-  EXPECT_THAT(refused(""), HasSubstr("not JSON"));
-  EXPECT_THAT(refused(R"({"card": {"name": "x", "density_kg_m3": 1e999}})"), HasSubstr("result.json"));
+  EXPECT_THAT(refusal_of_text(R"({"minima": [{"mu_Pa": 1, "alpha": 2}], "cards": []})"), HasSubstr("found no card"));
+  EXPECT_THAT(refusal_of_text("{}"), HasSubstr("card object"));
+  EXPECT_THAT(refusal_of_text(R"({"card": null})"), HasSubstr("card object"));
+  EXPECT_THAT(refusal_of_text("[1]"), HasSubstr("card object"));
+  EXPECT_THAT(refusal_of_text("{\n\"a\": 1,\n oops"), HasSubstr("result.json:3"));
+  EXPECT_THAT(refusal_of_text(""), HasSubstr("not JSON"));
+  EXPECT_THAT(refusal_of_text(R"({"card": {"name": "x", "density_kg_m3": 1e999}})"), HasSubstr("result.json"));
+}
+
+// What curves tell of a material: no density and no bulk modulus.
+json fit() {
+  CardMaterial material = skin();
+  material.name = "fit";
+  material.density = material.bulk_modulus = std::nan("");
+  return {{"cards", cards_to_json({material})}};
+}
+
+TEST(CardOfFit, TakesDensityAndBulkModulusFromTheRequest) {
+  EXPECT_TRUE(fit()["cards"][0]["density_kg_m3"].is_null());
+  const CardMaterial card = card_of_result(fit().dump(), "r", {.name = "gel", .density = 1010, .bulk_to_shear = 50});
+  EXPECT_EQ(card.name, "gel");
+  EXPECT_EQ(card.density, 1010);
+  EXPECT_EQ(card.terms[0].mu, 63.75e6);
+  EXPECT_EQ(card.bulk_modulus, 50 * 63.75e6);
+}
+
+TEST(CardOfFit, SaysWhatIsMissing) {
+  EXPECT_THAT(refusal_of_text(fit().dump()),
+              AllOf(HasSubstr("cards[0].density_kg_m3"), HasSubstr("--density"), HasSubstr("--bulk-to-shear")));
+  EXPECT_THAT(refusal_of_text(fit().dump(), {.density = 1010}),
+              AllOf(HasSubstr("cards[0].bulk_modulus_Pa"), HasSubstr("--nu")));
+  EXPECT_THAT(refusal_of_text(R"({"cards": []})"), HasSubstr("card object"));
+  EXPECT_THROW(card_from_json(fit()["cards"][0], {}), BadInput);
+}
+
+TEST(CardOfCalibration, IsChosenByItsName) {
+  json gel = card_to_json(skin());
+  gel["name"] = "gel, mu free";
+  const json result = {{"cards", {card_to_json(skin()), gel}}};
+  EXPECT_THAT(refusal_of_text(result.dump()),
+              AllOf(HasSubstr("'skin'"), HasSubstr("'gel, mu free'"), HasSubstr("--card")));
+  EXPECT_THAT(refusal_of_text(result.dump(), {.name = "bone"}), HasSubstr("bone"));
+  EXPECT_EQ(card_of_result(result.dump(), "r", {.name = "gel, mu free"}).name, "gel, mu free");
+}
+
+TEST(CardOfResult, TakesTheOnlyOneAndItsNewName) {
+  EXPECT_EQ(card_of_result(json{{"cards", {card_to_json(skin())}}}.dump(), "r").name, "skin");
+  EXPECT_EQ(card_of_result(json{{"cards", {card_to_json(skin())}}}.dump(), "r", {.name = "pig"}).name, "pig");
+}
+
+TEST(CardJson, KeepsTermsIntervalsErrorAndData) {
+  CardMaterial material = skin();
+  material.terms = {{60e6, 8}, {3.75e6, -2}};
+  material.intervals = CardIntervals{0.95, {{"alpha_1", 7.5, std::nullopt}}};
+  material.fit_error = "R^2 0.99";
+  material.data = {{"a.csv", std::string(64, '0')}};
+  const CardMaterial back = card_from_json(card_to_json(material), {});
+  ASSERT_EQ(back.terms.size(), 2u);
+  EXPECT_EQ(back.terms[1].alpha, -2);
+  ASSERT_TRUE(back.intervals);
+  EXPECT_EQ(back.intervals->of[0].parameter, "alpha_1");
+  EXPECT_EQ(back.intervals->of[0].low, 7.5);
+  EXPECT_FALSE(back.intervals->of[0].high);
+  EXPECT_EQ(back.fit_error, "R^2 0.99");
+  EXPECT_EQ(back.data[0].sha256, std::string(64, '0'));
+}
+
+TEST(CardJson, RefusesTermsAndProvenanceOfAnotherKind) {
+  EXPECT_THAT(refusal(with("terms", json::array())), HasSubstr("1 to 3"));
+  EXPECT_THAT(refusal(with("terms", {{{"mu_true_Pa", 1e6}}})), HasSubstr("card.terms[0].alpha"));
+  EXPECT_THAT(refusal(with("terms", {{{"mu_true_Pa", 1e6}, {"alpha", 2}}, {{"mu_true_Pa", -2e6}, {"alpha", 3}}})),
+              HasSubstr("sum of all"));
+  EXPECT_THAT(refusal(with("intervals", {{"alpha", {{"low", 1}}}})), HasSubstr("card.intervals.level"));
+  EXPECT_THAT(refusal(with("intervals", {{"level", 0.95}, {"alpha", 1}})), HasSubstr("card.intervals.alpha"));
+  EXPECT_THAT(refusal(with("data", {{{"file", "a.csv"}, {"sha256", "12"}}})), HasSubstr("64 hexadecimal"));
+  EXPECT_THAT(refusal(with("fit_error", 3)), HasSubstr("card.fit_error"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "percal/card/card_material.hpp"
+#include "percal/card/solver.hpp"
 
 namespace percal::card_test {
 
@@ -32,6 +32,16 @@ inline std::string line_under(const std::string& text, const std::string& start,
     if (lines[i].starts_with(start)) return lines[i + below];
   }
   return "";
+}
+
+inline std::string write_card(const std::string& solver, const CardMaterial& material, const UnitSystem& units) {
+  return solver_named(solver).card(material, units);
+}
+
+// The only material of a file.
+inline CardMaterial read_card(const std::string& solver, const std::string& text, const UnitSystem& units,
+                              const std::string& file = "card") {
+  return chosen_card(solver_named(solver).read(text, file, units), "", file).material;
 }
 
 inline std::string columns(const std::string& line, std::size_t field) {

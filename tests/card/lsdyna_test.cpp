@@ -1,4 +1,4 @@
-#include "percal/card/lsdyna.hpp"
+#include "percal/card/lsdyna/lsdyna.hpp"
 
 #include <gmock/gmock.h>
 
@@ -11,6 +11,7 @@ namespace {
 using card_test::columns;
 using card_test::line_under;
 using card_test::lines_of;
+using card_test::read_card;
 using card_test::skin;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -20,10 +21,6 @@ const std::string general = "$      MID        RO        PR";
 const std::string moduli = "$      MU1";
 const std::string exponents = "$   ALPHA1";
 const std::string limits = "$   MNPRES";
-
-CardMaterial read_one(const std::string& text, const std::string& file, const UnitSystem& units) {
-  return only_card(read_lsdyna_cards(text, file, units), file).material;
-}
 
 TEST(LsDynaCard, ConvertsTheModulusAndTheBulkModulus) {
   const std::string card = lsdyna_card(skin(), unit_system("mm-ms-kg-GPa"));
@@ -59,7 +56,7 @@ TEST(LsDynaCard, HasANegativeModulusForANegativeAlpha) {
   const std::string card = lsdyna_card(material, unit_system("si"));
   EXPECT_EQ(columns(line_under(card, moduli, 1), 0), "-1.5e7");
   EXPECT_EQ(columns(line_under(card, exponents, 1), 0), "-8.5");
-  EXPECT_DOUBLE_EQ(read_one(card, "card.k", unit_system("si")).terms[0].mu, 63.75e6);
+  EXPECT_DOUBLE_EQ(read_card("lsdyna", card, unit_system("si"), "card.k").terms[0].mu, 63.75e6);
 }
 
 TEST(LsDynaCard, FillsEightColumnsOfTenAndNoMoreThanEighty) {
@@ -89,7 +86,7 @@ TEST(LsDynaCard, HasNoErosionKeywordForAMaterialThatStays) {
   material.erosion.reset();
   const std::string card = lsdyna_card(material, unit_system("si"));
   EXPECT_THAT(card, Not(HasSubstr("EROSION")));
-  EXPECT_FALSE(read_one(card, "card.k", unit_system("si")).erosion);
+  EXPECT_FALSE(read_card("lsdyna", card, unit_system("si"), "card.k").erosion);
 }
 
 TEST(LsDynaCard, ComesBackToTheLastDigitOfItsColumns) {
@@ -102,7 +99,7 @@ TEST(LsDynaCard, ComesBackToTheLastDigitOfItsColumns) {
   for (const char* name : {"si", "mm-t-s-MPa", "mm-ms-kg-GPa", "um-us-ng-MPa"}) {
     const UnitSystem units = unit_system(name);
     const std::string card = lsdyna_card(material, units);
-    const CardMaterial back = read_one(card, "card.k", units);
+    const CardMaterial back = read_card("lsdyna", card, units, "card.k");
     // ten columns hold at least five digits ("-1.2345e-5"); K comes from nu, 1 - 2 nu = 0.016 known to 1e-9
     EXPECT_NEAR(back.density / material.density, 1, 1e-5) << name;
     EXPECT_NEAR(back.terms[0].mu / material.terms[0].mu, 1, 5e-5) << name;
@@ -123,7 +120,7 @@ TEST(LsDynaCard, IsNotBrokenByOddNamesAndComments) {
   for (const auto& line : lines_of(card)) {
     EXPECT_TRUE(!line.starts_with('*') || line.starts_with("*MAT_")) << line;
   }
-  EXPECT_EQ(read_one(card, "card.k", unit_system("si")).erosion->measure, StrainMeasure::engineering);
+  EXPECT_EQ(read_card("lsdyna", card, unit_system("si"), "card.k").erosion->measure, StrainMeasure::engineering);
 }
 
 TEST(LsDynaCard, RefusesABulkModulusThatTwentyColumnsCannotTell) {
@@ -144,7 +141,7 @@ TEST(LsDynaCard, RefusesAnExponentSoSmallThatItsModulusOverflows) {
 
 std::string refusal(const std::string& card) {
   try {
-    read_one(card, "card.k", unit_system("si"));
+    read_card("lsdyna", card, unit_system("si"), "card.k");
   } catch (const BadInput& error) {
     return error.what();
   }
@@ -163,15 +160,16 @@ TEST(LsDynaReader, NamesFileLineAndFieldOfWhatItCannotRead) {
   EXPECT_THAT(refusal(replaced(card, "     1.5e7", "     1.5q7")), AllOf(HasSubstr("MU1"), HasSubstr("1.5q7")));
   EXPECT_THAT(refusal(replaced(card, "1000..490066225", "1000.       0.5")), HasSubstr("PR"));
   EXPECT_THAT(refusal(replaced(card, "$ strain measure of MXEPS", "$ other")), HasSubstr("strain"));
-  EXPECT_THAT(refusal(replaced(card, "     1.5e7        0.", "     1.5e7        1.")), HasSubstr("MU2"));
+  EXPECT_THAT(refusal(replaced(card, "     1.5e7        0.", "     1.5e7        1.")), HasSubstr("ALPHA2"));
   EXPECT_THAT(refusal("*MAT_OGDEN_RUBBER\n         1     1000.\n"), HasSubstr("MU1 to MU8"));
-  EXPECT_THAT(refusal(replaced(card, "     1.5e7        0.        0.", "     1.5e7        0.        1.")), HasSubstr("ALPHA3"));
+  EXPECT_THAT(refusal(replaced(card, "     1.5e7        0.        0.", "     1.5e7        0.        1.")),
+              HasSubstr("ALPHA3"));
 }
 
 TEST(LsDynaReader, TakesACardWithWindowsLineEnds) {
   std::string card;
   for (const auto& line : lines_of(lsdyna_card(skin(), unit_system("si")))) card += line + "\r\n";
-  EXPECT_DOUBLE_EQ(read_one(card, "card.k", unit_system("si")).terms[0].mu, 63.75e6);
+  EXPECT_DOUBLE_EQ(read_card("lsdyna", card, unit_system("si"), "card.k").terms[0].mu, 63.75e6);
 }
 
 }  // namespace

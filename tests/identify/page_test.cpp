@@ -86,8 +86,8 @@ json small_result() {
     "steps": [{"name": "a step", "note": "", "reference": "measured",
                "rows": [{"what": "depth", "unit": "um", "ours": 26.4}]}],
     "left_out": [{"what": "gravity", "why": "nothing falls"}],
-    "card": {"name": "skin", "density_kg_m3": 1000, "mu_true_Pa": 64.5e6, "alpha": 8.6, "bulk_modulus_Pa": 3.2e9,
-             "erosion": {"strain": 0.71, "measure": "engineering"}, "comments": ["from gel"]},
+    "cards": [{"name": "skin", "density_kg_m3": 1000, "mu_true_Pa": 64.5e6, "alpha": 8.6, "bulk_modulus_Pa": 3.2e9,
+             "erosion": {"strain": 0.71, "measure": "engineering"}, "comments": ["from gel"]}],
     "findings": ["gel is not skin"],
     "cost": {"runs": 12, "reused": 3, "wall_s": 4, "cpu_s": 8,
              "mesh_study": [{"elements_per_radius": 10, "cpu_s": 2}, {"elements_per_radius": 20, "cpu_s": 14}]}
@@ -204,7 +204,7 @@ TEST_F(IdentifyPageOfResult, EveryFigureHasACaptionAndAnAltText) {
 
 TEST_F(IdentifyPageOfResult, AnUnfinishedChainIsSaidToBeOne) {
   result["complete"] = false;
-  result["card"] = nullptr;
+  result["cards"] = json::array();
   result["mesh_study"] = json::array();
   result["skin"]["erosion_strain"] = nullptr;
   const Page unfinished = identify_page(result);

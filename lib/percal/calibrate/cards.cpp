@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <set>
 
 #include "percal/calibrate/shot_problem.hpp"
-#include "percal/text/sha256.hpp"
+#include "percal/fit/cards.hpp"
 
 namespace percal {
 namespace {
@@ -24,13 +22,6 @@ std::vector<double> natural_of(const CalibrationJob& job, const HypothesisResult
     natural[result.parameters[i]] =
         job.parameters[result.parameters[i]].free.natural(searched[static_cast<Eigen::Index>(i)]);
   return natural;
-}
-
-CardInterval card_interval(const std::string& parameter, const Interval& interval) {
-  const auto end = [](double value, bool open) {
-    return open || !std::isfinite(value) ? std::nullopt : std::optional(value);
-  };
-  return {parameter, end(interval.low, interval.low_open), end(interval.high, interval.high_open)};
 }
 
 // The interval of a material's number that was fitted.
@@ -69,14 +60,7 @@ std::vector<CardData> data_of(const CalibrationJob& job) {
   for (const MeasuredShot& shot : job.shots) files.push_back(shot.file);
   for (const MeasuredCurve& curve : job.curves)
     for (const CurveSource& source : curve.data.sources) files.push_back(source.file);
-  std::vector<CardData> data;
-  std::set<std::string> seen;
-  for (const std::string& file : files) {
-    if (file.empty() || !seen.insert(file).second) continue;
-    if (const auto digest = sha256_of_file(file))
-      data.push_back({std::filesystem::path(file).filename().string(), *digest});
-  }
-  return data;
+  return card_data(files);
 }
 
 std::string error_of(const HypothesisResult& result) {

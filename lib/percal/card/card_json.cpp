@@ -1,110 +1,216 @@
 #include "percal/card/card_json.hpp"
 
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
-#include "percal/card/card_provenance_json.hpp"
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace percal {
 namespace {
 
 using nlohmann::json;
 
-// One object of the file, and where it stands.
+json number_or_null(double number) { return std::isfinite(number) ? json(number) : json(nullptr); }
+
+json erosion_to_json(const std::optional<CardErosion>& erosion) {
+  if (!erosion) return nullptr;
+  return {{"strain", erosion->limit}, {"measure", word(erosion->measure)}};
+}
+
+json intervals_to_json(const CardIntervals& intervals) {
+  const auto end = [](const std::optional<double>& value) { return value ? json(*value) : json(nullptr); };
+  json all = {{"level", intervals.level}};
+  for (const CardInterval& one : intervals.of) all[one.parameter] = {{"low", end(one.low)}, {"high", end(one.high)}};
+  return all;
+}
+
+// A value of the file, and where it stands.
 struct Reader {
-  const json& object;
+  const json& value;
   Place place;
 
-  Place at(const std::string& key) const {
-    return {place.file, place.line, place.key.empty() ? key : place.key + "." + key};
+  [[noreturn]] void refuse(const std::string& accepted) const {
+    if (value.is_discarded()) throw BadInput(place, "nothing", accepted);
+    if (value.is_structured()) throw BadInput(place, fmt::format("an {}", value.type_name()), accepted);
+    throw BadInput(place, value.dump(-1, ' ', true, json::error_handler_t::replace), accepted);
   }
-  [[noreturn]] void refuse(const std::string& key, const json* found, const std::string& accepted) const {
-    throw BadInput(at(key), found ? found->dump(-1, ' ', true, json::error_handler_t::replace) : "nothing", accepted);
+  // A discarded value where there is no such key.
+  Reader at(const std::string& key) const {
+    static const json nothing(json::value_t::discarded);
+    const auto found = value.find(key);
+    return {found == value.end() ? nothing : *found,
+            {place.file, place.line, place.key.empty() ? key : place.key + "." + key}};
   }
-  const json* find(const std::string& key) const {
-    const auto found = object.find(key);
-    return found == object.end() ? nullptr : &*found;
+  bool absent() const { return value.is_discarded() || value.is_null(); }
+  double number(const std::string& accepted = "a number") const {
+    if (!value.is_number()) refuse(accepted);
+    return value.get<double>();
   }
-  double number(const std::string& key) const {
-    const json* found = find(key);
-    if (!found || !found->is_number()) refuse(key, found, "a number");
-    return found->get<double>();
+  std::optional<double> number_or_nothing() const {
+    return absent() ? std::nullopt : std::optional(number("a number or null"));
   }
-  std::string text(const std::string& key, const std::string& accepted) const {
-    const json* found = find(key);
-    if (!found || !found->is_string()) refuse(key, found, accepted);
-    return found->get<std::string>();
+  std::string text(const std::string& accepted) const {
+    if (!value.is_string()) refuse(accepted);
+    return value.get<std::string>();
+  }
+  const Reader& object(const std::string& accepted) const {
+    if (!value.is_object()) refuse(accepted);
+    return *this;
+  }
+  // The entries of an array; none where there is nothing.
+  std::vector<Reader> entries(const std::string& accepted) const {
+    std::vector<Reader> all;
+    if (absent()) return all;
+    if (!value.is_array()) refuse(accepted);
+    for (const json& entry : value)
+      all.push_back({entry, {place.file, place.line, fmt::format("{}[{}]", place.key, all.size())}});
+    return all;
   }
 };
 
-StrainMeasure measure(const Reader& reader) {
-  const std::string accepted = "\"engineering\", \"true\" or \"green-lagrange\"";
-  const std::string found = reader.text("measure", accepted);
-  for (const auto one : {StrainMeasure::engineering, StrainMeasure::true_strain, StrainMeasure::green_lagrange}) {
-    if (found == word(one)) return one;
-  }
-  reader.refuse("measure", reader.find("measure"), accepted);
+// One term as mu_true_Pa and alpha, or several in `terms`.
+std::vector<Ogden> terms_of(const Reader& card) {
+  const auto term_of = [](const Reader& term) {
+    return Ogden{term.at("mu_true_Pa").number(), term.at("alpha").number()};
+  };
+  const Reader several = card.at("terms");
+  if (several.absent()) return {term_of(card)};
+  const std::string accepted = "an array of objects with mu_true_Pa and alpha";
+  std::vector<Ogden> terms;
+  for (const Reader& term : several.entries(accepted)) terms.push_back(term_of(term.object(accepted)));
+  return terms;
 }
 
-// One term as mu_true_Pa and alpha, or several in `terms`.
-std::vector<Ogden> terms_of(const Reader& reader) {
-  const json* several = reader.find("terms");
-  if (!several || several->is_null()) return {{reader.number("mu_true_Pa"), reader.number("alpha")}};
-  const std::string accepted = "an array of objects with mu_true_Pa and alpha";
-  if (!several->is_array()) reader.refuse("terms", several, accepted);
-  std::vector<Ogden> terms;
-  for (const json& term : *several) {
-    if (!term.is_object()) reader.refuse("terms", &term, accepted);
-    const Reader of_term{term, reader.at("terms[" + std::to_string(terms.size()) + "]")};
-    terms.push_back({of_term.number("mu_true_Pa"), of_term.number("alpha")});
+std::optional<CardErosion> erosion_of(const Reader& erosion) {
+  if (erosion.absent()) return std::nullopt;
+  const double strain = erosion.object("null or an object with strain and measure").at("strain").number();
+  const Reader measure = erosion.at("measure");
+  const std::string accepted = "\"engineering\", \"true\" or \"green-lagrange\"", found = measure.text(accepted);
+  for (const auto one : {StrainMeasure::engineering, StrainMeasure::true_strain, StrainMeasure::green_lagrange})
+    if (found == word(one)) return CardErosion{strain, one};
+  measure.refuse(accepted);
+}
+
+std::optional<CardIntervals> intervals_of(const Reader& given) {
+  if (given.absent()) return std::nullopt;
+  given.object("an object with level and an interval of each parameter");
+  CardIntervals intervals{given.at("level").number("a number between 0 and 1"), {}};
+  for (const auto& entry : given.value.items()) {
+    if (entry.key() == "level") continue;
+    const Reader interval = given.at(entry.key()).object("an object with low and high");
+    intervals.of.push_back(
+        {entry.key(), interval.at("low").number_or_nothing(), interval.at("high").number_or_nothing()});
   }
-  return terms;
+  return intervals;
+}
+
+CardData data_of(const Reader& given) {
+  const std::string accepted = "an object with file and sha256";
+  const Reader digest = given.object(accepted).at("sha256");
+  CardData data{given.at("file").text(accepted), digest.text(accepted)};
+  if (data.sha256.size() != 64 || data.sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
+    digest.refuse("64 hexadecimal digits");
+  return data;
+}
+
+// Density and bulk modulus may be null or missing, as of a fit.
+CardMaterial read_block(const Reader& card) {
+  card.object("an object");
+  CardMaterial material{.name = card.at("name").text("a text"),
+                        .density = card.at("density_kg_m3").number_or_nothing().value_or(not_known),
+                        .terms = terms_of(card),
+                        .bulk_modulus = card.at("bulk_modulus_Pa").number_or_nothing().value_or(not_known),
+                        .erosion = erosion_of(card.at("erosion"))};
+  const std::string texts = "an array of texts";
+  for (const Reader& comment : card.at("comments").entries(texts)) material.comments.push_back(comment.text(texts));
+  material.intervals = intervals_of(card.at("intervals"));
+  if (const Reader error = card.at("fit_error"); !error.absent()) material.fit_error = error.text("a sentence");
+  for (const Reader& one : card.at("data").entries("an array of objects")) material.data.push_back(data_of(one));
+  return material;
+}
+
+json parse(const std::string& text, const std::string& file) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+    throw BadInput(Place{file, line, ""}, "text that is not JSON", "a result.json of percal");
+  } catch (const json::exception& error) {  // a number beyond a double's range
+    throw BadInput(Place{file, 0, ""}, error.what(), "a result.json of percal");
+  }
+}
+
+// The card with this name; where there is only one, that one.
+Reader chosen(const std::vector<Reader>& cards, const std::string& name) {
+  std::string names;
+  for (const Reader& card : cards) {
+    const Reader own = card.object("an object").at("name");
+    if (own.text("a text") == name || cards.size() == 1) return card;
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", own.text("a text"));
+  }
+  throw BadInput({cards.front().place.file, 0, "cards"},
+                 name.empty() ? fmt::format("{} cards", cards.size()) : "no card '" + name + "'",
+                 "one by its name (--card): " + names);
 }
 
 }  // namespace
 
 json card_to_json(const CardMaterial& material) {
-  json erosion;  // null
-  if (material.erosion) {
-    erosion = {{"strain", material.erosion->limit}, {"measure", word(material.erosion->measure)}};
-  }
   json card = {{"name", material.name},
-               {"density_kg_m3", material.density},
-               {"bulk_modulus_Pa", material.bulk_modulus},
-               {"erosion", erosion},
+               {"density_kg_m3", number_or_null(material.density)},
+               {"bulk_modulus_Pa", number_or_null(material.bulk_modulus)},
+               {"erosion", erosion_to_json(material.erosion)},
                {"comments", material.comments}};
+  const auto add_term = [](const Ogden& term, json& to) {
+    to["mu_true_Pa"] = term.mu;
+    to["alpha"] = term.alpha;
+  };
   if (material.terms.size() == 1) {
-    card["mu_true_Pa"] = material.terms[0].mu;
-    card["alpha"] = material.terms[0].alpha;
+    add_term(material.terms[0], card);
   } else {
     card["terms"] = json::array();
-    for (const Ogden& term : material.terms) card["terms"].push_back({{"mu_true_Pa", term.mu}, {"alpha", term.alpha}});
+    for (const Ogden& term : material.terms) add_term(term, card["terms"].emplace_back());
   }
-  add_provenance(material, card);
+  if (material.intervals) card["intervals"] = intervals_to_json(*material.intervals);
+  if (!material.fit_error.empty()) card["fit_error"] = material.fit_error;
+  for (const CardData& data : material.data) card["data"].push_back({{"file", data.file}, {"sha256", data.sha256}});
   return card;
 }
 
+json cards_to_json(const std::vector<CardMaterial>& materials) {
+  json cards = json::array();
+  for (const CardMaterial& material : materials) cards.push_back(card_to_json(material));
+  return cards;
+}
+
 CardMaterial card_from_json(const json& card, const Place& place) {
-  if (!card.is_object()) throw BadInput(place, card.type_name(), "an object");
-  const Reader reader{card, place};
-  CardMaterial material{.name = reader.text("name", "a text"),
-                        .density = reader.number("density_kg_m3"),
-                        .terms = terms_of(reader),
-                        .bulk_modulus = 0};
-  material.bulk_modulus = reader.number("bulk_modulus_Pa");
-  if (const json* erosion = reader.find("erosion"); erosion && !erosion->is_null()) {
-    if (!erosion->is_object()) reader.refuse("erosion", erosion, "null or an object with strain and measure");
-    const Reader inner{*erosion, reader.at("erosion")};
-    material.erosion = CardErosion{inner.number("strain"), measure(inner)};
-  }
-  if (const json* comments = reader.find("comments"); comments && !comments->is_null()) {
-    if (!comments->is_array()) reader.refuse("comments", comments, "an array of texts");
-    for (const json& comment : *comments) {
-      if (!comment.is_string()) reader.refuse("comments", &comment, "an array of texts");
-      material.comments.push_back(comment.get<std::string>());
-    }
-  }
-  read_provenance(card, place, material);
+  const CardMaterial material = read_block({card, place});
   check(material, place);
+  return material;
+}
+
+CardMaterial card_of_result(const std::string& text, const std::string& file, const CardRequest& request) {
+  const json whole = parse(text, file);
+  const Reader result{whole, {file, 0, ""}};
+  const std::string accepted =
+      "a card object: a result of percal identify, calibrate or fit of this version, or of percal card read --json";
+  if (!whole.is_object()) result.at("card").refuse(accepted);
+  const Reader one = result.at("card");
+  const auto cards = one.absent() ? result.at("cards").entries("an array of objects") : std::vector<Reader>{one};
+  if (cards.empty()) throw BadInput(result.at("cards").place, "no card", accepted);
+  const Reader card = chosen(cards, request.name);
+  CardMaterial material = read_block(card);
+  if (!request.name.empty()) material.name = request.name;
+  if (request.density) material.density = *request.density;
+  if (request.bulk_to_shear) material.bulk_modulus = *request.bulk_to_shear * shear_modulus(material);
+  if (std::isnan(material.density) || std::isnan(material.bulk_modulus))
+    card.at(std::isnan(material.density) ? "density_kg_m3" : "bulk_modulus_Pa")
+        .refuse(
+            "a number, or beside a fit, whose curves tell neither, --density \"1010 kg/m3\" and --bulk-to-shear NUMBER "
+            "or --nu NUMBER");
+  check(material, card.place);
   return material;
 }
 

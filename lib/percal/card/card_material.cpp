@@ -3,6 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "percal/text/sha256.hpp"
 
 namespace percal {
 namespace {
@@ -10,7 +14,8 @@ namespace {
 void need(bool good, const Place& place, const std::string& key, double found, const std::string& accepted) {
   if (good) return;
   const std::string whole_key = place.key.empty() ? key : place.key + "." + key;
-  throw BadInput(Place{place.file, place.line, whole_key}, fmt::format("{}", found), accepted);
+  throw BadInput(Place{place.file, place.line, whole_key}, std::isnan(found) ? "nothing" : fmt::format("{}", found),
+                 accepted);
 }
 
 void need_positive(double value, const Place& place, const std::string& key, const std::string& what) {
@@ -34,6 +39,16 @@ void check_terms(const std::vector<Ogden>& terms, const Place& place) {
 
 }  // namespace
 
+std::vector<CardData> card_data(const std::vector<std::string>& files) {
+  std::vector<CardData> data;
+  std::set<std::string> seen;
+  for (const std::string& file : files)
+    if (!file.empty() && seen.insert(file).second)
+      if (const auto digest = sha256_of_file(file))
+        data.push_back({std::filesystem::path(file).filename().string(), *digest});
+  return data;
+}
+
 double shear_modulus(const CardMaterial& material) { return small_strain_modulus({material.terms}); }
 
 void check(const CardMaterial& material, const Place& place) {
@@ -41,6 +56,33 @@ void check(const CardMaterial& material, const Place& place) {
   check_terms(material.terms, place);
   need_positive(material.bulk_modulus, place, "bulk_modulus_Pa", "bulk modulus in Pa");
   if (material.erosion) need_positive(material.erosion->limit, place, "erosion.strain", "strain");
+}
+
+double modulus_field(const Ogden& term, CardModulus meaning) {
+  switch (meaning) {
+    case CardModulus::two_mu_over_alpha: return 2 * term.mu / term.alpha;
+    case CardModulus::two_mu: return 2 * term.mu;
+    case CardModulus::mu: break;
+  }
+  return term.mu;
+}
+
+Ogden term_of_field(double field, double alpha, CardModulus meaning) {
+  switch (meaning) {
+    case CardModulus::two_mu_over_alpha: return {field * alpha / 2, alpha};
+    case CardModulus::two_mu: return {field / 2, alpha};
+    case CardModulus::mu: break;
+  }
+  return {field, alpha};
+}
+
+std::string formula(CardModulus meaning) {
+  switch (meaning) {
+    case CardModulus::two_mu_over_alpha: return "2 mu/alpha";
+    case CardModulus::two_mu: return "2 mu";
+    case CardModulus::mu: break;
+  }
+  return "mu";
 }
 
 }  // namespace percal

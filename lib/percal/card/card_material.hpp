@@ -1,5 +1,6 @@
-// What a material card says, in SI and in percal's own convention. The writers convert at the edge.
+// What a material card says, in SI and in percal's own convention. The writers and readers convert at the edge.
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,12 +37,18 @@ struct CardData {
   std::string file, sha256;
 };
 
+// The files that can be read, each once, without their folders.
+std::vector<CardData> card_data(const std::vector<std::string>& files);
+
+// Density and bulk modulus of a material of which only curves are known.
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
 // W = sum_k (2 mu_k/alpha_k^2) (sum_i lambda_bar_i^alpha_k - 3) + U(J), U ~ K (J - 1)^2 / 2 near J = 1.
 struct CardMaterial {
-  std::string name;          // any text; each writer makes it fit its format
-  double density;            // kg/m3
-  std::vector<Ogden> terms;  // 1 to 3; mu in Pa; the sum of all mu is the small-strain shear modulus
-  double bulk_modulus;       // Pa
+  std::string name = {};            // any text; each writer makes it fit its format
+  double density = not_known;       // kg/m3
+  std::vector<Ogden> terms = {};    // 1 to 3; mu in Pa; the sum of all mu is the small-strain shear modulus
+  double bulk_modulus = not_known;  // Pa
   std::optional<CardErosion> erosion = {};
   std::vector<std::string> comments = {};  // sources of the data, one text each; written as comment lines
   std::optional<CardIntervals> intervals = {};
@@ -52,9 +59,21 @@ struct CardMaterial {
 // The sum of all mu, Pa.
 double shear_modulus(const CardMaterial& material);
 
-// Throws BadInput for a number that no card can carry: not finite, not positive, alpha = 0, no term or more than three. A
-// single mu may be negative where the sum is positive. The message names place.file and the key of the result file
+// Throws BadInput for a number that no card can carry: not known, not finite, not positive, alpha = 0, no term or more than
+// three. A single mu may be negative where the sum is positive. The message names place.file and the key of the result file
 // ("card.mu_true_Pa" where place.key is "card").
 void check(const CardMaterial& material, const Place& place);
+
+// The number in a program's modulus field for a term of W = (2 mu/alpha^2) (sum lambda^alpha - 3), and back: the one place of
+// this conversion.                                                                               docs/formats/cards.md
+//   mu                 W = (2 field/alpha^2) (...)     Abaqus, CalculiX, OpenRadioss LAW82
+//   two_mu_over_alpha  W = (field/alpha) (...)         LS-DYNA, OpenRadioss LAW42, Ansys
+//   two_mu             W = (field/alpha^2) (...)       FEBio
+enum class CardModulus { mu, two_mu_over_alpha, two_mu };
+
+double modulus_field(const Ogden& term, CardModulus meaning);
+Ogden term_of_field(double field, double alpha, CardModulus meaning);  // alpha not 0 with two_mu_over_alpha
+
+std::string formula(CardModulus meaning);  // "mu", "2 mu/alpha", "2 mu"
 
 }  // namespace percal

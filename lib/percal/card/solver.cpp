@@ -1,70 +1,66 @@
 #include "percal/card/solver.hpp"
 
-#include <algorithm>
-#include <cctype>
+#include <fmt/core.h>
+
 #include <sstream>
 
-#include "percal/card/abaqus.hpp"
-#include "percal/card/ansys.hpp"
-#include "percal/card/febio.hpp"
-#include "percal/card/lsdyna.hpp"
-#include "percal/card/openradioss.hpp"
+#include "percal/card/abaqus/abaqus.hpp"
+#include "percal/card/ansys/ansys.hpp"
+#include "percal/card/febio/febio.hpp"
+#include "percal/card/lsdyna/lsdyna.hpp"
+#include "percal/card/openradioss/openradioss.hpp"
+#include "percal/card/read_deck.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
+namespace {
 
-const std::vector<std::string>& solver_words() {
-  static const std::vector<std::string> words = {"lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"};
+std::string names_of(const std::vector<FoundCard>& cards) {
+  std::string names;
+  for (const FoundCard& card : cards)
+    names += fmt::format("{}'{}' (line {})", names.empty() ? "" : ", ", card.material.name, card.line);
+  return names;
+}
+
+}  // namespace
+
+const std::vector<Solver>& solvers() {
+  static const std::vector<Solver> all = {
+      {"lsdyna", {"*MAT_", "*KEYWORD"}, lsdyna_card, read_lsdyna_cards, lsdyna_deck},
+      {"abaqus", {"*MATERIAL", "*HYPERELASTIC"}, abaqus_card, read_abaqus_cards, abaqus_deck},
+      {"calculix", {}, calculix_card, read_abaqus_cards, calculix_deck},
+      {"openradioss", {"/MAT/", "#RADIOSS"}, openradioss_card, read_openradioss_cards, openradioss_deck},
+      {"febio", {"<MATERIAL", "<FEBIO_SPEC"}, febio_card, read_febio_cards, febio_deck},
+      {"ansys", {"TB,HYPER"}, ansys_card, read_ansys_cards, ansys_deck}};
+  return all;
+}
+
+std::vector<std::string> solver_words() {
+  std::vector<std::string> words;
+  for (const Solver& solver : solvers()) words.push_back(solver.word);
   return words;
 }
 
-std::optional<Solver> solver_of_word(const std::string& word) {
-  const auto& words = solver_words();
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found == words.end()) return std::nullopt;
-  return static_cast<Solver>(found - words.begin());
+const Solver& solver_named(const std::string& word) {
+  for (const Solver& solver : solvers())
+    if (solver.word == word) return solver;
+  throw BadInput(Place{.file = "", .line = 0, .key = "solver"}, in_quotes(word), listed(solver_words()));
 }
 
-std::string write_card(Solver solver, const CardMaterial& material, const UnitSystem& units) {
-  switch (solver) {
-    case Solver::lsdyna: return lsdyna_card(material, units);
-    case Solver::openradioss: return openradioss_card(material, units);
-    case Solver::febio: return febio_card(material, units);
-    case Solver::ansys: return ansys_card(material, units);
-    case Solver::calculix: return calculix_card(material, units);
-    case Solver::abaqus: break;
-  }
-  return abaqus_card(material, units);
-}
-
-std::optional<Solver> solver_of(const std::string& text) {
-  struct Sign {
-    const char* start;  // of a line, upper case without blanks
-    Solver solver;
-  };
-  const Sign signs[] = {
-      {"*MAT_", Solver::lsdyna},         {"*KEYWORD", Solver::lsdyna},   {"*MATERIAL", Solver::abaqus},
-      {"*HYPERELASTIC", Solver::abaqus}, {"/MAT/", Solver::openradioss}, {"#RADIOSS", Solver::openradioss},
-      {"<MATERIAL", Solver::febio},      {"<FEBIO_SPEC", Solver::febio}, {"TB,HYPER", Solver::ansys}};
+const Solver* solver_of(const std::string& text) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
-    std::string start;
-    for (const char letter : line) {
-      const auto byte = static_cast<unsigned char>(letter);
-      if (!std::isspace(byte)) start += static_cast<char>(std::toupper(byte));
-      if (start.size() == 16) break;
-    }
-    for (const Sign& sign : signs)
-      if (start.starts_with(sign.start)) return sign.solver;
+    const std::string start = upper_without_blanks(line);
+    for (const Solver& solver : solvers())
+      for (const std::string& sign : solver.signs)
+        if (start.starts_with(sign)) return &solver;
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 std::optional<UnitSystem> unit_system_of(const std::string& text) {
-  const std::string label = "unit system: ";
-  const auto at = text.find(label);
-  if (at == std::string::npos) return std::nullopt;
-  const auto start = at + label.size();
-  const std::string name = text.substr(start, text.find_first_of(" \r\n", start) - start);
+  const std::string name = text_after(text, "unit system: ", " \r");
+  if (name.empty()) return std::nullopt;
   try {
     return unit_system(name);
   } catch (const BadInput&) {
@@ -72,21 +68,28 @@ std::optional<UnitSystem> unit_system_of(const std::string& text) {
   }
 }
 
-std::vector<FoundCard> read_cards(Solver solver, const std::string& text, const std::string& file,
-                                  const UnitSystem& units) {
-  switch (solver) {
-    case Solver::lsdyna: return read_lsdyna_cards(text, file, units);
-    case Solver::openradioss: return read_openradioss_cards(text, file, units);
-    case Solver::febio: return read_febio_cards(text, file, units);
-    case Solver::ansys: return read_ansys_cards(text, file, units);
-    case Solver::abaqus:
-    case Solver::calculix: break;
-  }
-  return read_abaqus_cards(text, file, units);
+FoundCard chosen_card(const std::vector<FoundCard>& cards, const std::string& name, const std::string& file) {
+  if (cards.empty()) throw BadInput(Place{file, 0, ""}, "no Ogden material", "a card with one");
+  std::vector<FoundCard> chosen;
+  for (const FoundCard& card : cards)
+    if (name.empty() || card.material.name == name) chosen.push_back(card);
+  if (chosen.size() == 1) return chosen.front();
+  if (name.empty())
+    throw BadInput(Place{file, 0, ""}, fmt::format("{} materials: {}", cards.size(), names_of(cards)),
+                   "one of them by its name (--name)");
+  throw BadInput(Place{file, 0, "--name"}, fmt::format("{} materials '{}'", chosen.size(), name), names_of(cards));
 }
 
-CardMaterial read_card(Solver solver, const std::string& text, const std::string& file, const UnitSystem& units) {
-  return only_card(read_cards(solver, text, file, units), file).material;
+ReadCard read_card(const CardFile& card) {
+  const Solver* solver = card.solver.empty() ? solver_of(card.text) : &solver_named(card.solver);
+  if (!solver)
+    throw BadInput({card.file, 0, ""}, "no keyword of a solver that percal knows",
+                   "a card for " + listed(solver_words()) + ", or its solver by name (--solver)");
+  const auto units = card.units.empty() ? unit_system_of(card.text) : unit_system(card.units);
+  if (!units)
+    throw BadInput({card.file, 0, "units"}, "no comment that names the unit system",
+                   "the units of its numbers by name (--units), such as mm-t-s-MPa");
+  return {chosen_card(solver->read(card.text, card.file, *units), card.name, card.file), solver->word, units->name};
 }
 
 }  // namespace percal

@@ -1,33 +1,63 @@
-// The programs that cards are written for, and one entry to their writers and readers.
+// The programs that cards are written for: one table, one room of this folder for each.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "percal/card/card_material.hpp"
-#include "percal/card/found_card.hpp"
+#include "percal/card/uniaxial_deck.hpp"
 #include "percal/card/unit_system.hpp"
 
 namespace percal {
 
-enum class Solver { lsdyna, abaqus, calculix, openradioss, febio, ansys };
+// A material that a reader found in a file.
+struct FoundCard {
+  CardMaterial material;
+  int line;                               // of its keyword
+  std::vector<std::string> ignored = {};  // what of it was passed over, one text each
+};
 
-const std::vector<std::string>& solver_words();  // "lsdyna", ... in the order of Solver
-std::optional<Solver> solver_of_word(const std::string& word);
+// What a room offers. Every function converts between SI and the program's convention in the given units.
+struct Solver {
+  std::string word;                // "lsdyna"
+  std::vector<std::string> signs;  // starts of lines that no other has, in upper case without blanks
+  // The card. Throws BadInput as check() does, and for what the program's fields cannot carry.
+  std::string (*card)(const CardMaterial& material, const UnitSystem& units);
+  // All Ogden materials of a file whose numbers are in `units`. Throws BadInput with file and line for what cannot be read.
+  std::vector<FoundCard> (*read)(const std::string& text, const std::string& file, const UnitSystem& units);
+  std::vector<DeckFile> (*deck)(const DeckOrder& order);
+};
 
-std::string write_card(Solver solver, const CardMaterial& material, const UnitSystem& units);
+const std::vector<Solver>& solvers();
 
-// Which program a card's text is for, by its keywords. Abaqus and CalculiX cards are the same text: abaqus.
-std::optional<Solver> solver_of(const std::string& text);
+std::vector<std::string> solver_words();
+
+// Throws BadInput (key "solver") with the words there are.
+const Solver& solver_named(const std::string& word);
+
+// Which program a card's text is for, by its keywords; null where it has none. Abaqus and CalculiX cards have the same ones:
+// abaqus.
+const Solver* solver_of(const std::string& text);
 
 // The unit system that a comment of a percal card names; nothing where there is none.
 std::optional<UnitSystem> unit_system_of(const std::string& text);
 
-// All Ogden materials of a file. Throws BadInput with file and line for what cannot be read.
-std::vector<FoundCard> read_cards(Solver solver, const std::string& text, const std::string& file,
-                                  const UnitSystem& units);
+// The one with this name; with an empty name the only one. Throws BadInput with the names there are.
+FoundCard chosen_card(const std::vector<FoundCard>& cards, const std::string& name, const std::string& file);
 
-// The only one. Throws BadInput where there are several.
-CardMaterial read_card(Solver solver, const std::string& text, const std::string& file, const UnitSystem& units);
+// A card or deck as a user has it, and what the user says of it. An empty word stands for what the text itself says: the
+// solver by its keywords, the units by the comment of a percal card.
+struct CardFile {
+  std::string text, file;
+  std::string solver, units;
+  std::string name;  // of one of several materials
+};
+
+struct ReadCard {
+  FoundCard found;
+  std::string solver, units;
+};
+
+ReadCard read_card(const CardFile& card);
 
 }  // namespace percal

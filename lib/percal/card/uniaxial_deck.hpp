@@ -1,12 +1,16 @@
 // One cube of one element, stretched along x with free sides, ready to run: what a card means in its own program.
 // docs/formats/decks.md
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
-#include "percal/card/solver.hpp"
+#include "percal/card/card_material.hpp"
+#include "percal/card/unit_system.hpp"
 
 namespace percal {
+
+struct Solver;
 
 // From stretch 1 to `stretch` in equal steps of displacement (OpenRadioss: of time).
 struct UniaxialTest {
@@ -19,22 +23,71 @@ struct DeckFile {
   std::string text;
 };
 
+// The deck, one file for every program but OpenRadioss, which takes a starter and an engine file. `job` names the run
+// and the program's output files; it is made fit by deck_job(). The deck asks for reaction force and displacement at
+// every step, contains the solver's card as it stands, and opens with comments that say what to read off and which
+// nominal stress to expect, in the deck's units. The cube's edge is one length unit; for CalculiX it may be ten or more
+// (docs/formats/decks.md).
+// Throws BadInput as the solver's card does, and for a test out of range (keys "--stretch", "--increments").
+std::vector<DeckFile> uniaxial_deck(const Solver& solver, const CardMaterial& material, const UnitSystem& units,
+                                    const UniaxialTest& test, const std::string& job);
+
 // The name of a run from the name of a file, "cards/skin test.k" -> "skin_test": without folder, extension and
 // "_0000", at most 40 characters, letters, digits, '_' and single '-' only, at least four long ('_' is added).
 std::string deck_job(const std::string& file);
 
-// The deck, one file for every program but OpenRadioss, which takes a starter and an engine file. `job` names the run
-// and the program's output files; it is made fit by deck_job(). The deck asks for reaction force and displacement at
-// every step, contains the card of write_card() as it stands, and opens with comments that say what to read off and
-// which nominal stress to expect, in the deck's units. The cube's edge is one length unit; for CalculiX it may be ten
-// or more (docs/formats/decks.md).
-// Throws BadInput as write_card() does, for a test out of range (keys "--stretch", "--increments"), and for CalculiX
-// where D1 = 2/K is below 1e-10 in these units (key "units"): CalculiX would take another number.
-std::vector<DeckFile> uniaxial_deck_files(Solver solver, const CardMaterial& material, const UnitSystem& units,
-                                          const UniaxialTest& test, const std::string& job);
+// For the solvers that write it.
 
-// The first of these files, of a job called "uniaxial": the whole deck, for OpenRadioss the starter file.
-std::string uniaxial_deck(Solver solver, const CardMaterial& material, const UnitSystem& units, double stretch,
-                          int increments);
+// One deck to write. `card` is the text of the solver's card.
+struct DeckOrder {
+  const CardMaterial& material;
+  const UnitSystem& units;
+  UniaxialTest test;
+  std::string job;
+  std::string card;
+};
+
+// A corner of the cube; 1-based number as the decks have it.
+struct CubeNode {
+  int number;
+  double x, y, z;
+};
+
+// In the order that all six programs want for a brick: round the face z = 0, then round the face z = edge.
+std::array<CubeNode, 8> cube_nodes(double edge);
+
+// Nodes of the faces. The first three are planes of symmetry, x1 is moved along x.
+using Face = std::array<int, 4>;
+inline constexpr Face face_x0{1, 4, 5, 8}, face_y0{1, 2, 5, 6}, face_z0{1, 2, 3, 4}, face_x1{2, 3, 6, 7};
+
+// "1, 4, 5, 8" with separator ", ".
+std::string listed(const Face& face, const std::string& separator);
+std::vector<std::string> fields_of(const Face& face);
+
+// Displacement of the face x1 at the end, in length units of the deck.
+double final_displacement(const DeckOrder& order, double edge);
+
+// U(J), each K (J - 1)^2 / 2 near J = 1:
+//   quadratic    K (J - 1)^2 / 2     Abaqus, CalculiX, Ansys (D1 = 2/K), OpenRadioss LAW42
+//   logarithmic  K (ln J)^2 / 2      FEBio
+//   difference   K (J - 1 - ln J)    LS-DYNA
+enum class SolverLaw { quadratic, logarithmic, difference };
+
+// The comments that a deck opens with, a paragraph each: the cube, what to read off, the nominal stress to expect at
+// the end and halfway (at the card's bulk modulus with `law`, and incompressible), where the card's erosion takes
+// the element away before the end, and what the solver says of itself.
+std::string deck_comments(const DeckOrder& order, double edge, SolverLaw law, const std::string& prefix,
+                          const std::vector<std::string>& of_solver);
+
+// What stands in `card` after `start` up to one of `ends` or the end of the line: the name or number by which a deck
+// refers to the material. Empty where there is no `start`.
+std::string text_after(const std::string& card, const std::string& start, const std::string& ends);
+
+// Nominal stress of the material in this test at its own bulk modulus, Pa. The sides are free: J solves sigma_2(J) = 0 by
+// bisection in ln J. Needs a stretch > 0 and a material that check() takes.             docs/formats/decks.md
+double uniaxial_stress(const CardMaterial& material, double stretch, SolverLaw law);
+
+// K without end. Pa.
+double incompressible_uniaxial_stress(const CardMaterial& material, double stretch);
 
 }  // namespace percal

@@ -2,12 +2,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "percal/identify/identification.hpp"
 #include "percal/identify/steps.hpp"
 #include "percal/identify/tables.hpp"
-#include "percal/text/sha256.hpp"
 
 namespace percal {
 namespace {
@@ -138,11 +136,7 @@ std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& j
 std::vector<CardData> data_of(const IdentifyJob& job) {
   std::vector<std::string> files = {job.file, job.gelatin.file};
   if (const auto* scan = std::get_if<AlphaScan>(&job.alpha)) files.push_back(scan->file);
-  std::vector<CardData> data;
-  for (const std::string& file : files)
-    if (const auto digest = sha256_of_file(file))
-      data.push_back({std::filesystem::path(file).filename().string(), *digest});
-  return data;
+  return card_data(files);
 }
 
 // The chain has an error of the erosion strain alone: one formulation stands for the modulus, and alpha's range is a comment.

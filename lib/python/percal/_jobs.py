@@ -173,7 +173,7 @@ class Identification(_Result):
         rows = result["predictions"]
         self.predictions = {key: _array(rows, key) for key in ("depth_m", "measured_m", "speed_m_s", "radius_m")}
         self.predictions["particle"] = [row["particle"] for row in rows]
-        self.card = CardMaterial._of(result["card"]) if result.get("card") else None
+        self.card = CardMaterial._of(result["cards"][0]) if result["cards"] else None
 
     def __repr__(self):
         skin = self["skin"] if "skin" in self else {}

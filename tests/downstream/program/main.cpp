@@ -1,6 +1,6 @@
 // A program of somebody else's: reads quantities, writes a card with the installed library.
 #include <cstdio>
-#include <percal/card/lsdyna.hpp>
+#include <percal/card/lsdyna/lsdyna.hpp>
 #include <percal/units/quantity.hpp>
 
 int main() {

@@ -133,8 +133,8 @@ Section tables_section(const Json& result, const std::string& key, const std::st
 
 Section card_section(const Json& result) {
   Section section{.id = "card", .title = "The material card", .blocks = {}};
-  const Json& card = at(result, "card");
-  if (!card.is_object()) return section;
+  if (list(result, "cards").empty()) return section;
+  const Json& card = list(result, "cards").front();
   Table table{.caption = text(card, "name"), .rows = {{"", ""}}, .notes = {}};
   table.rows.push_back({"density", shown(number(card, "density_kg_m3")) + " kg/m3"});
   if (const auto mu = number(card, "mu_true_Pa")) table.rows.push_back({"mu, true", pressure(mu)});

@@ -1,0 +1,49 @@
+// What the readers of cards share: an input deck as keywords with their data lines, and the numbers in it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/card/card_material.hpp"
+
+namespace percal {
+
+struct DeckLine {
+  int number;  // 1-based
+  std::string text;
+};
+
+// A keyword ("*DENSITY") with the data lines under it, blank ones included.
+struct DeckBlock {
+  int number;
+  std::string keyword;  // the whole line in upper case, without blanks
+  std::string written;  // as it stands
+  std::vector<DeckLine> data;
+
+  // Throws BadInput where there is no such data line. `what` says what should stand there.
+  const DeckLine& line(std::size_t index, const std::string& file, const std::string& what) const;
+};
+
+struct Deck {
+  std::vector<DeckBlock> blocks;
+  std::vector<DeckLine> comments;
+};
+
+// Lines that start with `comment` are comments, lines that start with `keyword` are keywords.
+Deck parse_deck(const std::string& text, const std::string& comment, char keyword);
+
+std::vector<std::string> split_at(char separator, const std::string& line);
+bool is_blank(const std::string& text);
+std::string trimmed(const std::string& text);
+std::string upper_without_blanks(const std::string& text);
+
+// The number in a field; a blank one is 0. Throws BadInput with file, line and the field's name.
+double deck_number(const std::string& field, const Place& place);
+
+// A modulus in Pa that is `meaning`, and its exponent, as a term of the material; a modulus of 0 is none. Throws BadInput for
+// a modulus with exponent 0, and for more than three terms.
+void add_term(CardMaterial& material, double modulus, double alpha, CardModulus meaning, const Place& place);
+
+// K/mu of Poisson's ratio. Throws BadInput outside -1 to 0.5.
+double ratio_of(double nu, const Place& place);
+
+}  // namespace percal

@@ -1,0 +1,49 @@
+#include "percal/fit/cards.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace percal {
+namespace {
+
+// "mu" is mu_true_Pa on a card, "mu_2" mu_true_Pa_2.
+std::optional<CardIntervals> intervals_of(const Uncertainty& uncertainty) {
+  if (uncertainty.minima.empty()) return std::nullopt;
+  const MinimumUncertainty& best = uncertainty.minima.front();
+  CardIntervals intervals{uncertainty.options.level, {}};
+  if (best.small_strain_modulus) intervals.of.push_back(card_interval("mu_true_Pa", *best.small_strain_modulus));
+  for (const ParameterUncertainty& parameter : best.parameters) {
+    const bool modulus = parameter.name.starts_with("mu");
+    intervals.of.push_back(
+        card_interval(modulus ? "mu_true_Pa" + parameter.name.substr(2) : parameter.name, parameter.interval));
+  }
+  return intervals;
+}
+
+}  // namespace
+
+CardInterval card_interval(const std::string& parameter, const Interval& interval) {
+  const auto end = [](double value, bool open) {
+    return open || !std::isfinite(value) ? std::nullopt : std::optional(value);
+  };
+  return {parameter, end(interval.low, interval.low_open), end(interval.high, interval.high_open)};
+}
+
+std::vector<CardMaterial> fit_cards(const CurveData& data, const CurveFit& fit, const Uncertainty& uncertainty) {
+  if (fit.minima.empty()) return {};
+  const CurveMinimum& best = fit.minima.front();
+  std::vector<std::string> files;
+  for (const CurveSource& source : data.sources) files.push_back(source.file);
+  CardMaterial card{.name = "fit",
+                    .terms = best.solid.terms,
+                    .comments = {"fitted by percal: model " + word(fit.options.model)},
+                    .intervals = intervals_of(uncertainty),
+                    .data = card_data(files)};
+  if (best.r2 && std::isfinite(*best.r2))
+    card.fit_error =
+        fmt::format("R^2 {:.6g} in stress, residual {}, {} points", *best.r2, word(fit.options.residual), fit.points);
+  return {card};
+}
+
+}  // namespace percal

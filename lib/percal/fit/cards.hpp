@@ -1,0 +1,16 @@
+// The material card of a fit, without what curves do not tell.                                       docs/formats/cards.md
+#pragma once
+#include <vector>
+
+#include "percal/card/card_material.hpp"
+#include "percal/fit/uncertainty.hpp"
+
+namespace percal {
+
+CardInterval card_interval(const std::string& parameter, const Interval& interval);
+
+// Of the best minimum, none without one: its name is "fit", density and bulk modulus are not known. Intervals where `uncertainty` has
+// them. `data`, `fit` and `uncertainty` belong together.
+std::vector<CardMaterial> fit_cards(const CurveData& data, const CurveFit& fit, const Uncertainty& uncertainty);
+
+}  // namespace percal
