@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "percal/base/version.hpp"
+
 namespace percal {
 namespace {
 
@@ -197,6 +199,8 @@ CardMaterial card_of_result(const std::string& text, const std::string& file, co
   const std::string accepted =
       "a card object: a result of percal identify, calibrate or fit of this version, or of percal card read --json";
   if (!whole.is_object()) result.at("card").refuse(accepted);
+  if (const Reader schema = result.at("schema"); !schema.absent() && whole["schema"] != result_schema)
+    schema.refuse(fmt::format("{}, as results of this percal have it: run the command again", result_schema));
   const Reader one = result.at("card");
   const auto cards = one.absent() ? result.at("cards").entries("an array of objects") : std::vector<Reader>{one};
   if (cards.empty()) throw BadInput(result.at("cards").place, "no card", accepted);
