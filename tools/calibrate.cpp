@@ -1,21 +1,16 @@
-// percal calibrate: curves and depths together, every hypothesis in tables; result.json and plots in one folder.
+// percal calibrate: curves and depths together; result.json and the figures of its page in one folder.
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "colour.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
-#include "percal/base/progress.hpp"
 #include "percal/calibrate/calibration.hpp"
-#include "percal/calibrate/plots.hpp"
-#include "percal/calibrate/result_json.hpp"
-#include "percal/calibrate/result_text.hpp"
+#include "percal/calibrate/page/page.hpp"
 #include "percal/impact/kernel.hpp"
-#include "percal/plot/gnuplot.hpp"
-#include "percal/text/file.hpp"
+#include "percal/page/figures.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/words.hpp"
 
@@ -39,40 +34,6 @@ std::optional<double> parse_budget(const std::string& text) {
   return quantity.value;
 }
 
-void print(const TextTable& table) {
-  if (!table.title.empty()) fmt::print("{}\n", table.title);
-  if (table.rows.size() > 1) fmt::print("{}", aligned(table.rows));
-  for (const std::string& note : table.notes) fmt::print("  {}\n", note);
-  fmt::print("\n");
-}
-
-void print(const CalibrationJob& job, const CalibrationResult& result, ShotTables shots) {
-  for (const HypothesisResult& hypothesis : result.hypotheses) {
-    fmt::print("=== {}: {}\n\n", hypothesis.index + 1, job.hypotheses[hypothesis.index].name);
-    for (const TextTable& table : hypothesis_tables(job, result, hypothesis, shots)) print(table);
-  }
-  fmt::print("=== all\n\n");
-  if (result.hypotheses.size() > 1) print(hypotheses_side_by_side(job, result));
-  if (result.dehn) print(dehn_table(job, *result.dehn));
-  for (const TextTable& table : emulator_tables(result)) print(table);
-  for (const std::string& finding : result.findings) fmt::print("{} {}\n", yellow("note:"), finding);
-  for (const std::string& sentence : cost_sentences(result.cost)) fmt::print("{}\n", sentence);
-}
-
-// Whether all plots were drawn.
-bool write_plots(const std::vector<Plot>& plots, const std::string& folder) {
-  bool drawn = true;
-  for (const Plot& plot : plots) {
-    write_file(folder + "/" + plot.name + ".csv", plot.csv);
-    if (plot.script.empty()) continue;
-    if (const auto svg = gnuplot(plot.script))
-      write_file(folder + "/" + plot.name + ".svg", *svg);
-    else
-      drawn = false;
-  }
-  return drawn;
-}
-
 Exit say_valid(const CalibrateArguments& arguments, const CalibrationJob& job, const Common& common) {
   int fitted = 0;
   for (const MeasuredShot& shot : job.shots) fitted += shot.used ? 1 : 0;
@@ -93,28 +54,19 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   const CalibrationJob job = read_calibration_job(arguments.job);
   if (common.check) return say_valid(arguments, job, common);
   const std::string folder = out_folder(arguments.job, common);
-  ensure_writable_folder(folder);
   Store store(common.store.empty() ? default_store_path() : common.store);
   Campaign campaign(&store, common.threads);
-  const bool talk = !common.quiet && !common.json;
-  if (talk) fmt::print("{}\n\n", job.title);
   CalibrationResult result = calibrate(job, store, campaign, limits, [&](const std::string& sentence) {
-    if (!talk) return;
+    if (!common.talks()) return;
     fmt::print("{}\n", sentence);
     std::fflush(stdout);
   });
+  if (common.talks()) fmt::print("\n");
   result.cost.instruction_level = instruction_level();
-  const std::string json =
-      calibration_to_json(job, result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  write_file(folder + "/result.json", json);
-  const bool drawn = write_plots(calibration_plots(job, result), folder);
-  if (common.json) fmt::print("{}", json);
-  if (talk) {
-    fmt::print("\n");
-    print(job, result, common.details ? ShotTables::all : ShotTables::where_few);
-    fmt::print("Results: {}{}\n", folder,
-               drawn ? "" : " (plots were not drawn: no gnuplot; the CSV files have their points)");
-  }
+  const page::Json json = calibration_to_json(job, result);
+  deliver(json, folder, common);
+  if (!folder.empty() && !page::write_figures(calibrate_page(json), folder, page::Pictures::svg) && common.talks())
+    fmt::print("figures were not drawn, since gnuplot is not there or failed; the CSV files have their points\n");
   return result.hypotheses.empty() ? Exit::outcome_not_reached : Exit::done;
 }
 

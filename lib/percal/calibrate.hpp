@@ -12,7 +12,5 @@
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/calibrate/limits.hpp"
-#include "percal/calibrate/plots.hpp"
+#include "percal/calibrate/page/page.hpp"
 #include "percal/calibrate/result.hpp"
-#include "percal/calibrate/result_json.hpp"
-#include "percal/calibrate/result_text.hpp"

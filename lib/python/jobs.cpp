@@ -7,7 +7,7 @@
 
 #include "core.hpp"
 #include "percal/calibrate/calibration.hpp"
-#include "percal/calibrate/result_json.hpp"
+#include "percal/calibrate/page/page.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/result_json.hpp"
 #include "percal/impact/kernel.hpp"

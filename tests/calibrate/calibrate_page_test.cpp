@@ -5,7 +5,7 @@
 #include <map>
 
 #include "calibrate/small_job.hpp"
-#include "percal/calibrate/result_json.hpp"
+#include "percal/calibrate/page/page.hpp"
 
 namespace percal {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "calibrate/small_job.hpp"
 #include "page/page_words.hpp"
-#include "percal/calibrate/result_json.hpp"
+#include "percal/calibrate/page/page.hpp"
 
 namespace percal {
 namespace {

@@ -1,5 +1,5 @@
 // result.json of a calibration, from a result made by hand.
-#include "percal/calibrate/result_json.hpp"
+#include "percal/calibrate/page/page.hpp"
 
 #include <gmock/gmock.h>
 

@@ -9,7 +9,7 @@ SHARED = {"findings", "left_out", "what", "why", "level", "seed", "low", "high",
 COMPARISON = re.compile(r"page/comparison[a-z_]*\.cpp$")
 
 READ = re.compile(r'\b(?:at|maybe|list|number|number_or|text|yes|value_words|interval_words|with_unit)\((?:[^()"]|\([^()]*\))*,\s*"([A-Za-z_0-9]+)"')
-WRITTEN = re.compile(r'\{\s*"([A-Za-z_0-9]+)"\s*,|\[\s*"([A-Za-z_0-9]+)"\s*\]\s*=|with_unit\("([A-Za-z_0-9]+)"')
+WRITTEN = re.compile(r'\{\s*"([A-Za-z_0-9]+)"\s*,|\[\s*"([A-Za-z_0-9]+)"\s*\]\s*=|(?:with_unit|key_of)\("([A-Za-z_0-9]+)"')
 
 
 def layer_of(root, file):

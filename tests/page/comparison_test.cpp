@@ -7,7 +7,7 @@
 #include "page/page_words.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/page/page.hpp"
-#include "percal/calibrate/result_json.hpp"
+#include "percal/calibrate/page/page.hpp"
 
 namespace percal {
 namespace {

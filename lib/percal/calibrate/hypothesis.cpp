@@ -106,7 +106,7 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   for (const LogQuantity& quantity : quantities)
     result.budgets.push_back(error_budget(job, model, fit, quantity, mesh_shift));
   result.advice = advise(job, model, fit, quantities);
-  result.findings = hypothesis_findings(job, model, fit, result);
+  result.findings = hypothesis_findings(job, fit, result);
   if (limits.spent()) {
     result.findings.push_back("Without cross-validation, bootstrap and ridge: the budget was spent.");
     return result;

@@ -6,27 +6,24 @@
 #include <cmath>
 
 #include "percal/calibrate/hypothesis.hpp"
+#include "percal/page/numbers.hpp"
 
 namespace percal {
 namespace {
 
 constexpr double mean_of_normal = 0.7979;  // E|x| of a standard normal number
+constexpr double no_influence = 0.05;      // of a depth on a modulus, per cent for each per cent
 constexpr double trusted_spread =
     1.5;  // of standardised fresh runs: more, and the emulator's stated error is too small
 
-std::string number(double value) { return fmt::format("{:.3g}", value); }
-
-// Moduli in the unit that reads best.
-std::string with_unit(double value, const std::string& unit) {
-  if (unit.empty()) return number(value);
-  if (unit != "Pa") return number(value) + " " + unit;
-  return value >= 1e6 ? number(value / 1e6) + " MPa" : number(value / 1e3) + " kPa";
+std::string value_of(const FreeParameter& parameter, double natural) {
+  return parameter.unit == "Pa" ? page::pressure(natural, 3) : page::shown(natural, 3);
 }
 
 std::string with_interval(const FreeParameter& parameter, double value, const Interval& interval) {
-  return fmt::format("{} ({}{} to {}{})", with_unit(value, parameter.unit), interval.low_open ? "below " : "",
-                     with_unit(interval.low, parameter.unit), interval.high_open ? "above " : "",
-                     with_unit(interval.high, parameter.unit));
+  return fmt::format("{} ({}{} to {}{})", value_of(parameter, value), interval.low_open ? "below " : "",
+                     value_of(parameter, interval.low), interval.high_open ? "above " : "",
+                     value_of(parameter, interval.high));
 }
 
 // What the fit's scatter would do to a perfect model: nothing can be predicted better.
@@ -37,10 +34,9 @@ void scatter_alone(const CalibrationJob& job, const JobFit& fit, std::vector<std
                                  [&](const Datum& d) { return d.group == static_cast<int>(g); });
     if (!any || !(scatter > 0)) continue;
     sentences.push_back(
-        fmt::format("The data of \"{}\" scatter by {:.2g} % about the model beyond their known errors; a perfect model "
-                    "would still be off by {:.2g} % "
-                    "in the mean.",
-                    job.groups[g].name, 100 * scatter, 100 * mean_of_normal * scatter));
+        fmt::format("The data of \"{}\" scatter by {} about the model beyond their known errors; a perfect model would "
+                    "still be off by {} in the mean.",
+                    job.groups[g].name, page::rough_percent(scatter), page::rough_percent(mean_of_normal * scatter)));
   }
 }
 
@@ -52,9 +48,8 @@ void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, con
     const double strain = parameter.free.natural(fit.best().searched[static_cast<Eigen::Index>(k)]);
     const double stretch = 1 + strain;
     sentences.push_back(
-        fmt::format("{} {:.3g} is the engineering strain; the same critical stretch {:.3g} is {:.3g} as a true strain "
-                    "and {:.3g} as a "
-                    "Green-Lagrange strain: depths know only the stretch.",
+        fmt::format("{} {:.3g} (engineering) is the critical stretch {:.3g}, all that depths know: {:.3g} as a true "
+                    "strain, {:.3g} as a Green-Lagrange strain.",
                     parameter.free.name, strain, stretch, strain_at(stretch, StrainMeasure::true_strain),
                     strain_at(stretch, StrainMeasure::green_lagrange)));
   }
@@ -70,11 +65,18 @@ void moduli_beside_curves(const Hypothesis& hypothesis, const HypothesisResult& 
     const double low = needed.interval.low, high = needed.interval.high;
     if (low == high) continue;  // held
     const bool agree = low <= *m.curve_modulus && *m.curve_modulus <= high;
-    sentences.push_back(
-        fmt::format("{}: the depths need {} = {:.3g} kPa ({:.3g} to {:.3g}), its curve says {:.3g} kPa: {}.",
-                    m.material, is_mu1 ? "MU1" : "mu", needed.value / 1e3, low / 1e3, high / 1e3,
-                    *m.curve_modulus / 1e3, agree ? "no contradiction" : "they contradict each other"));
+    sentences.push_back(fmt::format("{}: the depths need {} = {} ({} to {}), its curve says {}: {}.", m.material,
+                                    is_mu1 ? "MU1" : "mu", page::pressure(needed.value, 3), page::pressure(low, 3),
+                                    page::pressure(high, 3), page::pressure(m.curve_modulus, 3),
+                                    agree ? "no contradiction" : "they contradict each other"));
   }
+}
+
+// What the finest mesh of the runs is still worth.
+void mesh_error(const HypothesisResult& result, std::vector<std::string>& sentences) {
+  if (result.mesh_error != 0)
+    sentences.push_back(fmt::format("Extrapolated to no mesh the depths would change by {} in the mean.",
+                                    page::signed_percent(result.mesh_error)));
 }
 
 void synthetic_curves(const CalibrationJob& job, std::vector<std::string>& sentences) {
@@ -85,15 +87,17 @@ void synthetic_curves(const CalibrationJob& job, std::vector<std::string>& sente
 
 }  // namespace
 
-std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const JobModel&, const JobFit& fit,
+std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const JobFit& fit,
                                              const HypothesisResult& result) {
   std::vector<std::string> sentences = findings(fit.problem, fit.minima, result.intervals);
   erosion_in_other_measures(job, fit, result, sentences);
   moduli_beside_curves(job.hypotheses[result.index], result, sentences);
   scatter_alone(job, fit, sentences);
+  mesh_error(result, sentences);
   for (const ErrorBudget& budget : result.budgets)
-    sentences.push_back(fmt::format("{} hangs most on {}: {:+.2g} % for each per cent of that depth.", budget.quantity,
-                                    budget.most_influential, budget.influence));
+    if (std::abs(budget.influence) > no_influence)
+      sentences.push_back(fmt::format("{} hangs most on {}: {:+.2g} % for each per cent of that depth.",
+                                      budget.quantity, budget.most_influential, budget.influence));
   synthetic_curves(job, sentences);
   return sentences;
 }
@@ -117,9 +121,9 @@ void held_against_free(const CalibrationJob& job, const CalibrationResult& resul
         const Interval& interval = freeing.intervals[k].interval;
         const double best = p.natural(freeing.minima[0].searched[static_cast<Eigen::Index>(k)]);
         const bool inside = interval.low <= value && value <= interval.high;
-        sentences.push_back(fmt::format(
-            "\"{}\" holds {} at {}, {} of \"{}\", which finds {}.", a.name, p.name, with_unit(value, p.unit),
-            inside ? "within the interval" : "outside the interval", b.name, with_interval(p, best, interval)));
+        sentences.push_back(fmt::format("\"{}\" holds {} at {}, {} of \"{}\", which finds {}.", a.name, p.name,
+                                        value_of(p, value), inside ? "within the interval" : "outside the interval",
+                                        b.name, with_interval(p, best, interval)));
         break;
       }
 }
@@ -132,12 +136,12 @@ void fresh_against_emulated(const CalibrationJob& job, const CalibrationResult& 
     const auto count = static_cast<long>(hypothesis.fresh.size()) - failed;
     if (count == 0) continue;
     const double off = spread(hypothesis.fresh);
-    sentences.push_back(
-        fmt::format("\"{}\": {} fresh runs on {} elements per radius lie {:.2g} of the emulator's stated errors from "
-                    "it (1 is right{}){}.",
-                    job.hypotheses[hypothesis.index].name, count, job.training.verify, off,
-                    off > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
-                    failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
+    sentences.push_back(fmt::format(
+        "\"{}\": {} fresh runs on {} elements per radius lie {:.2g} of the emulator's stated errors from "
+        "it (1 is right{}) and {} from the measured depths{}.",
+        job.hypotheses[hypothesis.index].name, count, job.training.verify, off,
+        off > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
+        page::percent(hypothesis.fresh_deviation), failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
   }
 }
 
@@ -156,37 +160,30 @@ void spread_over_hypotheses(const CalibrationJob& job, const CalibrationResult& 
     }
     if (count > 1)
       sentences.push_back(fmt::format(
-          "{}: the hypotheses put the quasi-static E = 3 mu between {:.3g} and {:.3g} MPa: a choice that the "
-          "depths do not settle.",
-          job.materials[m].name, low / 1e6, high / 1e6));
+          "{}: the hypotheses put the quasi-static E = 3 mu between {} and {}: a choice that the depths do not settle.",
+          job.materials[m].name, page::pressure(low, 3), page::pressure(high, 3)));
   }
 }
 
-void closed_form_beside(const CalibrationJob& job, const CalibrationResult& result,
-                        std::vector<std::string>& sentences) {
+void closed_form_beside(const CalibrationResult& result, std::vector<std::string>& sentences) {
   if (!result.dehn) return;
   int tasks = 0, better = 0;
-  std::string where;
-  const auto compare = [&](const CrossValidationResult& ours, const std::vector<CrossValidationResult>& all,
-                           const std::string& hypothesis) {
-    for (const CrossValidationResult& theirs : all) {
-      if (ours.name != theirs.name || ours.prediction.shots == 0) continue;
-      ++tasks;
-      if (theirs.prediction.mean_absolute >= ours.prediction.mean_absolute) continue;
-      ++better;
-      where += fmt::format("{}\"{}\" ({:.3g} % against {:.3g} % of \"{}\")", where.empty() ? "" : ", ", ours.name,
-                           100 * theirs.prediction.mean_absolute, 100 * ours.prediction.mean_absolute, hypothesis);
-    }
+  const auto compare = [&](const std::vector<CrossValidationResult>& ours,
+                           const std::vector<CrossValidationResult>& closed) {
+    for (const CrossValidationResult& one : ours)
+      for (const CrossValidationResult& theirs : closed) {
+        if (one.name != theirs.name || one.prediction.shots == 0) continue;
+        ++tasks;
+        better += theirs.prediction.mean_absolute < one.prediction.mean_absolute;
+      }
   };
   for (const HypothesisResult& hypothesis : result.hypotheses) {
-    const std::string& name = job.hypotheses[hypothesis.index].name;
-    for (const auto& ours : hypothesis.cross_validations) compare(ours, result.dehn->cross_validations, name);
-    for (const auto& ours : hypothesis.leave_one_out) compare(ours, result.dehn->leave_one_out, name);
+    compare(hypothesis.cross_validations, result.dehn->cross_validations);
+    compare(hypothesis.leave_one_out, result.dehn->leave_one_out);
   }
-  if (tasks == 0) return;
-  sentences.push_back(
-      fmt::format("Dehn's closed form, two numbers for a material, predicts better in {} of {} predictions{}{}.",
-                  better, tasks, where.empty() ? "" : ": ", where));
+  if (tasks > 0)
+    sentences.push_back(fmt::format(
+        "Dehn's closed form, two numbers for a material, predicts better in {} of {} predictions.", better, tasks));
 }
 
 }  // namespace
@@ -196,7 +193,7 @@ std::vector<std::string> overall_findings(const CalibrationJob& job, const Calib
   held_against_free(job, result, sentences);
   spread_over_hypotheses(job, result, sentences);
   fresh_against_emulated(job, result, sentences);
-  closed_form_beside(job, result, sentences);
+  closed_form_beside(result, sentences);
   return sentences;
 }
 

@@ -4,7 +4,7 @@
 
 namespace percal {
 
-std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
+std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const JobFit& fit,
                                              const HypothesisResult& result);
 
 // About all hypotheses together: what they hold that the others contradict, how far the choices move the result, where the closed

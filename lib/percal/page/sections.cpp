@@ -122,7 +122,6 @@ Section provenance_section(const Json& result) {
   seconds("time in all", "wall_s");
   seconds("budget", "budget_s");
   add(section, std::move(table));
-  add_sentence(section, text(cost, "advice"));
   return section;
 }
 

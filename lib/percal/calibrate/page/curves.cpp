@@ -5,10 +5,54 @@
 #include <cmath>
 #include <numeric>
 
-#include "percal/calibrate/page/parts.hpp"
+#include "percal/calibrate/page/sections.hpp"
 #include "percal/page/numbers.hpp"
 
-namespace percal::page {
+namespace percal::calibration_page {
+namespace {
+
+// Every point of a curve: how it was deformed, how far, and what stress was measured.
+Json points_to_json(const MeasuredCurve& curve) {
+  Json deformation = Json::array(), amount = Json::array(), stress = Json::array();
+  for (const StressPoint& point : curve.data.points) {
+    deformation.push_back(word(point.strained.deformation));
+    amount.push_back(finite(point.strained.amount));
+    stress.push_back(finite(point.nominal_stress));
+  }
+  return {{"deformation", deformation}, {"stretch_or_shear", amount}, {"stress_Pa", stress}};
+}
+
+}  // namespace
+
+Json measured_curves_to_json(const CalibrationJob& job) {
+  Json all = Json::array();
+  for (const MeasuredCurve& curve : job.curves)
+    all.push_back({{"name", curve.name},
+                   {"material", job.materials[curve.material].name},
+                   {"scatter", job.groups[curve.group].name},
+                   {"file", curve.data.sources.empty() ? Json() : Json(curve.data.sources.front().file)},
+                   {"points", curve.data.points.size()},
+                   {"measured", points_to_json(curve)},
+                   {"rate_factor", curve.rate_factor},
+                   {"rate_factor_error", curve.rate_factor_error},
+                   {"relative_error", curve.relative_error},
+                   {"synthetic", curve.synthetic}});
+  return all;
+}
+
+Json curves_to_json(const CalibrationJob& job, const std::vector<CurveStresses>& curves) {
+  Json all = Json::array();
+  for (const CurveStresses& curve : curves)
+    all.push_back({{"curve", curve.curve},
+                   {"name", job.curves[curve.curve].name},
+                   {"stress_Pa", numbers_to_json(curve.stress)},
+                   {"low_Pa", numbers_to_json(curve.low)},
+                   {"high_Pa", numbers_to_json(curve.high)}});
+  return all;
+}
+
+// --- the page -------------------------------------------------------------------------------------------------------
+
 namespace {
 
 struct CurvePoint {
@@ -47,7 +91,7 @@ Chart chart_of(const std::string& title, const std::string& deformation, const s
 }
 
 void add_figures(const Json& result, const Json& curve, const std::vector<CurvePoint>& points,
-                 const std::string& deformation, const std::string& name, std::vector<Figure>& figures) {
+                 const std::string& deformation, const std::string& name, Section& section) {
   double largest = 0, squares = 0;
   int within = 0;
   for (const CurvePoint& p : points) {
@@ -76,22 +120,21 @@ void add_figures(const Json& result, const Json& curve, const std::vector<CurveP
   const double rms = std::sqrt(squares / static_cast<double>(points.size()));
   const std::string finding = fmt::format("{} of {} points lie in the band; root mean square of the residuals {}.",
                                           within, points.size(), pressure(rms, 3));
-  figures.push_back(
-      {.name = name,
-       .caption = "The curve over its data. " + finding,
-       .alt = fmt::format("Nominal stress against stretch: {} points and the model's curve through its band. {}",
-                          points.size(), finding),
-       .chart = over});
-  figures.push_back({.name = name + "_residuals",
-                     .caption = "What the curve leaves of the data. " + finding,
-                     .alt = "Residuals against stretch, about zero, with the band. " + finding,
-                     .chart = residuals});
+  add(section,
+      Figure{.name = name,
+             .caption = "The curve over its data. " + finding,
+             .alt = fmt::format("Nominal stress against stretch: {} points and the model's curve through its band. {}",
+                                points.size(), finding),
+             .chart = over});
+  add(section, Figure{.name = name + "_residuals",
+                      .caption = "What the curve leaves of the data. " + finding,
+                      .alt = "Residuals against stretch, about zero, with the band. " + finding,
+                      .chart = residuals});
 }
 
 }  // namespace
 
-std::vector<Figure> curve_figures(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
-  std::vector<Figure> figures;
+void add_curves(Section& section, const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   const Json& curves = list(at(result, "data"), "curves");
   int n = 0;
   for (const Json& ours : list(hypothesis, "curves")) {
@@ -101,10 +144,9 @@ std::vector<Figure> curve_figures(const Json& result, const Json& hypothesis, in
       const auto points = points_of(curves[index], ours, deformation);
       if (points.size() > 1)
         add_figures(result, curves[index], points, deformation, fmt::format("curve_{}_{}", number_of_hypothesis, ++n),
-                    figures);
+                    section);
     }
   }
-  return figures;
 }
 
-}  // namespace percal::page
+}  // namespace percal::calibration_page

@@ -1,146 +1,148 @@
-// The page of `percal calibrate`.
 #include "percal/calibrate/page/page.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "percal/calibrate/page/parts.hpp"
+#include "percal/calibrate/cards.hpp"
+#include "percal/calibrate/page/sections.hpp"
+#include "percal/card/card_json.hpp"
 #include "percal/page/numbers.hpp"
 
 namespace percal {
-
-using namespace page;
-
+namespace calibration_page {
 namespace {
 
-// The materials' moduli of a hypothesis that the data speak of: quasi-static where a rate factor is known.
-struct MainModulus {
-  std::string words;
-  const Json* estimate;
-};
-std::vector<MainModulus> main_moduli(const Json& hypothesis) {
-  std::vector<MainModulus> all;
-  for (const Json& one : list(hypothesis, "moduli")) {
-    const Json& youngs = at(one, "youngs_quasi_static_true");
-    if (youngs.is_object()) all.push_back({"quasi-static E of " + text(one, "material"), &youngs});
-  }
-  if (all.empty())
-    for (const Json& one : list(hypothesis, "moduli")) {
-      all.push_back({"mu of " + text(one, "material"), &at(one, "mu_true")});
-      break;
-    }
-  return all;
+Json hypothesis_to_json(const CalibrationJob& job, const HypothesisResult& result) {
+  const Hypothesis& hypothesis = job.hypotheses[result.index];
+  Json json{{"name", hypothesis.name},
+            {"convention", word(hypothesis.convention)},
+            {"strain_measure", word(hypothesis.measure)},
+            {"contact_stiffness", hypothesis.contact_stiffness},
+            {"ridges", ridges_to_json(fitted_parameters(job, result), result.ridges)},
+            {"shots", shots_to_json(job, result.shots)},
+            {"curves", curves_to_json(job, result.curves)},
+            {"fresh_runs", fresh_to_json(job, result.fresh)},
+            {"fresh_mean_deviation", result.fresh.empty() ? Json() : finite(result.fresh_deviation)},
+            {"mesh_error", finite(result.mesh_error)},
+            {"findings", result.findings}};
+  json.update(fit_to_json(job, result));
+  json.update(predictions_to_json(job, result.sets, result.cross_validations, result.leave_one_out));
+  json.update(moduli_to_json(result));
+  return json;
 }
 
-std::string summary_of(const Json& result) {
+// What a parameter of the data is under a hypothesis: fitted, held, or "-" without a datum.
+std::string value_under(const Json& hypothesis, const std::string& parameter) {
+  for (const Json& one : list(hypothesis, "held"))
+    if (text(one, "name") == parameter) return value_words(one, "value") + " held";
+  for (const Json& one : list(hypothesis, "parameters"))
+    if (text(one, "name") == parameter) return value_words(one, "value");
+  return absent;
+}
+
+std::string mean_deviation_of(const Json& hypothesis, const std::string& set) {
+  for (const Json& one : list(hypothesis, "sets"))
+    if (text(one, "name") == set) return percent(number(one, "mean_deviation"));
+  return absent;
+}
+
+// Choices, parameters and deviations of all hypotheses.
+Table side_by_side(const Json& result) {
   const Json& hypotheses = list(result, "hypotheses");
-  if (hypotheses.empty()) return "No hypothesis could be fitted.";
-  std::string summary;
-  for (const MainModulus& modulus : main_moduli(hypotheses.front()))
-    summary += fmt::format("{}{} {} ({})", summary.empty() ? "" : "; ", modulus.words,
-                           value_words(*modulus.estimate, "value"), interval_words(*modulus.estimate, "interval"));
-  return fmt::format("{}: true moduli with {} intervals, by the hypothesis \"{}\"{}.", summary, level_words(result),
-                     text(hypotheses.front(), "name"),
-                     hypotheses.size() > 1 ? fmt::format(", the first of {}", hypotheses.size()) : "");
-}
-
-Section asked_section(const Json& result) {
-  Section section{.id = "asked", .title = "What was asked", .blocks = {}};
-  const Json& data = at(result, "data");
-  const Json &shots = list(data, "shots"), &curves = list(data, "curves");
-  const auto used = std::count_if(shots.begin(), shots.end(), [](const Json& shot) { return yes(shot, "used"); });
-  std::string synthetic;
-  for (const Json& curve : curves)
-    if (yes(curve, "synthetic")) synthetic += (synthetic.empty() ? "" : ", ") + text(curve, "name");
-  add_sentence(section,
-               fmt::format("Which material gives these {} depths ({} of them fitted) and {} curves{}?", shots.size(),
-                           used, curves.size(), synthetic.empty() ? "" : " (synthetic: " + synthetic + ")"));
-  Table parameters{.caption = "What was looked for",
-                   .rows = {{"parameter", "kind", "searched from", "to", "expected beforehand"}},
-                   .notes = {}};
-  for (const Json& one : list(data, "parameters")) {
-    const std::string prior = value_words(one, "prior");
-    parameters.rows.push_back(
-        {text(one, "name"), text(one, "kind"), value_words(one, "low"), value_words(one, "high"), prior});
+  Table table{
+      .caption = "How each hypothesis takes the data, and what it gives", .rows = {{"hypothesis"}}, .notes = {}};
+  const auto row = [&](const std::string& what, const auto& cell) {
+    table.rows.push_back({what});
+    for (const Json& hypothesis : hypotheses) table.rows.back().push_back(cell(hypothesis));
+  };
+  std::vector<std::string> sets;
+  for (const Json& hypothesis : hypotheses) {
+    table.rows[0].push_back(fmt::format("{}", table.rows[0].size()));
+    table.notes.push_back(table.rows[0].back() + ": " + text(hypothesis, "name"));
+    for (const Json& set : list(hypothesis, "sets"))
+      if (std::find(sets.begin(), sets.end(), text(set, "name")) == sets.end()) sets.push_back(text(set, "name"));
   }
-  add(section, std::move(parameters));
-  Table hypotheses{.caption = "How the data were read",
-                   .rows = {{"", "hypothesis", "mu means", "contact stiffness", "held"}},
-                   .notes = {}};
-  int n = 0;
-  for (const Json& one : list(result, "hypotheses")) {
-    std::string held;
-    for (const Json& value : list(one, "held"))
-      held += fmt::format("{}{} = {}", held.empty() ? "" : ", ", text(value, "name"), value_words(value, "value"));
-    hypotheses.rows.push_back({shown(++n), text(one, "name"), text(one, "convention"),
-                               shown(number(one, "contact_stiffness")), held.empty() ? "-" : held});
-  }
-  add(section, std::move(hypotheses));
-  return section;
-}
-
-// "478 kPa (106 kPa to above 1.92 MPa)" of an estimate; "-" of none.
-std::string estimate_words(const Json& estimate) {
-  if (!estimate.is_object()) return "-";
-  const std::string value = value_words(estimate, "value"), interval = interval_words(estimate, "interval");
-  return interval == "-" ? value : fmt::format("{} ({})", value, interval);
-}
-
-// One material after the other, every hypothesis beside the others. `first` and `second`: keys of a modulus true and as MU1.
-Table modulus_table(const Json& result, const std::string& caption, const std::vector<std::string>& header,
-                    const std::string& first, const std::string& second) {
-  Table table{.caption = caption, .rows = {header}, .notes = {}};
-  std::vector<std::string> materials;
-  for (const Json& hypothesis : list(result, "hypotheses"))
-    for (const Json& one : list(hypothesis, "moduli"))
-      if (std::find(materials.begin(), materials.end(), text(one, "material")) == materials.end())
-        materials.push_back(text(one, "material"));
-  for (const std::string& material : materials) {
-    int n = 0;
-    for (const Json& hypothesis : list(result, "hypotheses")) {
-      ++n;
-      for (const Json& one : list(hypothesis, "moduli"))
-        if (text(one, "material") == material && at(one, first).is_object())
-          table.rows.push_back({material, shown(n), estimate_words(at(one, first)), estimate_words(at(one, second)),
-                                value_words(one, "curve_mu_true")});
-    }
-  }
+  row("mu means", [](const Json& one) { return text(one, "convention"); });
+  row("a held erosion strain is", [](const Json& one) { return text(one, "strain_measure"); });
+  row("contact stiffness", [](const Json& one) { return shown(number(one, "contact_stiffness")); });
+  for (const Json& parameter : list(at(result, "data"), "parameters"))
+    row(text(parameter, "name"), [&](const Json& one) { return value_under(one, text(parameter, "name")); });
+  for (const std::string& set : sets) row(set, [&](const Json& one) { return mean_deviation_of(one, set); });
+  table.notes.push_back("Moduli as given; of sets the mean size of their depths' deviations.");
   return table;
 }
 
-Section answer_section(const Json& result) {
-  Section section{.id = "answer", .title = "What came out", .blocks = {}};
-  Table rate = modulus_table(result, "Shear modulus at impact rate, with its " + level_words(result) + " interval",
-                             {"material", "hypothesis", "true", "as LS-DYNA's MU1 = 2 mu/alpha", "its curve's, true"},
-                             "mu_true", "mu_over_alpha");
-  rate.notes.push_back(
-      "\"below\" and \"above\": the interval is cut off by a bound of the search, the data say nothing there.");
-  add(section, std::move(rate));
-  Table youngs = modulus_table(result, "Young's modulus, quasi-static, with its " + level_words(result) + " interval",
-                               {"material", "hypothesis", "true: 3 mu", "3 MU1"}, "youngs_quasi_static_true",
-                               "youngs_quasi_static_over_alpha");
-  for (auto& row : youngs.rows) row.resize(4);
-  add(section, std::move(youngs));
+Section hypotheses_section(const Json& result) {
+  Section section{.id = "hypotheses", .title = "What was looked for, and how", .blocks = {}};
+  add(section, searched_table(result));
+  if (!list(result, "hypotheses").empty()) add(section, side_by_side(result));
+  return section;
+}
+
+Section hypothesis_section(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
+  Section section{.id = fmt::format("hypothesis-{}", number_of_hypothesis),
+                  .title = fmt::format("Hypothesis {}: {}", number_of_hypothesis, text(hypothesis, "name")),
+                  .blocks = {}};
+  List findings{texts(at(hypothesis, "findings")), Tone::note};
+  const auto said = findings_of_all(result);
+  std::erase_if(findings.items,
+                [&](const auto& one) { return std::find(said.begin(), said.end(), one) != said.end(); });
+  add(section, std::move(findings));
+  add_fit(section, result, hypothesis, number_of_hypothesis);
+  add_curves(section, result, hypothesis, number_of_hypothesis);
+  add_shots(section, result, hypothesis, number_of_hypothesis);
+  add_predictions(section, result, hypothesis);
+  add_fresh_runs(section, result, hypothesis, number_of_hypothesis);
+  add_errors(section, result, hypothesis);
   return section;
 }
 
 }  // namespace
+}  // namespace calibration_page
+
+page::Json calibration_to_json(const CalibrationJob& job, const CalibrationResult& result) {
+  using namespace calibration_page;
+  Json hypotheses = Json::array(), cards = Json::array();
+  for (const HypothesisResult& hypothesis : result.hypotheses) {
+    hypotheses.push_back(hypothesis_to_json(job, hypothesis));
+    for (const CardMaterial& card : calibration_cards(job, hypothesis)) cards.push_back(card_to_json(card));
+  }
+  Json json = result_head("calibrate", {{"job", job.file}, {"toml", job.text}});
+  json.update({{"title", job.title},
+               {"level", job.level},
+               {"seed", job.training.seed},
+               {"data",
+                {{"parameters", searched_to_json(job)},
+                 {"shots", measured_shots_to_json(job)},
+                 {"curves", measured_curves_to_json(job)},
+                 {"ridge_points", published_to_json(job)}}},
+               {"hypotheses", hypotheses},
+               {"cards", cards},
+               {"dehn", result.dehn ? dehn_to_json(job, *result.dehn) : Json()},
+               {"emulators", emulators_to_json(job, result.emulators)},
+               {"findings", result.findings},
+               {"cost", cost_to_json({.runs = result.cost.runs,
+                                      .reused = result.cost.reused,
+                                      .cpu_seconds = result.cost.cpu_seconds,
+                                      .wall_seconds = result.cost.wall_seconds,
+                                      .budget_seconds = result.cost.budget_seconds,
+                                      .instruction_level = result.cost.instruction_level,
+                                      .advice = result.cost.advice})}});
+  return json;
+}
 
 page::Page calibrate_page(const page::Json& result) {
-  Page page{.title = text(result, "title"), .summary = summary_of(result), .sections = {}};
-  add(page, asked_section(result));
-  add(page, answer_section(result));
-  add(page, findings_section(result));
+  using namespace calibration_page;
+  Page page{.title = text(result, "title"), .summary = "", .sections = {}};
+  add_answer(page, result);
+  add(page, hypotheses_section(result));
+  add(page, moduli_section(result));
   add(page, ridges_section(result));
-  add(page, impact_parameter_section(result));
+  add(page, depths_section(result));
   add(page, predictions_section(result));
   int n = 0;
-  for (const Json& hypothesis : list(result, "hypotheses")) {
-    ++n;
-    add(page, hypothesis_section(result, hypothesis, n));
-  }
+  for (const Json& hypothesis : list(result, "hypotheses")) add(page, hypothesis_section(result, hypothesis, ++n));
   add(page, emulators_section(result));
   add(page, provenance_section(result));
   add(page, input_section(result));

@@ -1,17 +1,65 @@
-// Depths of a calibration's shots: measured against the model's, and both against the impact parameter rho_p v a.
+// Shots: their depths as they were measured and as the hypotheses have them, against each other and against the impact parameter
+// rho_p v a.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "percal/calibrate/page/parts.hpp"
+#include "percal/calibrate/page/sections.hpp"
 #include "percal/page/numbers.hpp"
 
-namespace percal::page {
+namespace percal::calibration_page {
 namespace {
 
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+// The depth, or the least depth: two keys, of which one is null.
+Json measured_to_json(const MeasuredShot& shot) {
+  return {{"measured_m", shot.at_least ? Json() : Json(shot.depth)},
+          {"measured_at_least_m", shot.at_least ? Json(shot.depth) : Json()}};
+}
+
+}  // namespace
+
+Json measured_shots_to_json(const CalibrationJob& job) {
+  Json all = Json::array();
+  for (const MeasuredShot& shot : job.shots) {
+    all.push_back({{"label", shot.label},
+                   {"set", job.sets[shot.set].name},
+                   {"material", job.materials[shot.material].name},
+                   {"scatter", job.groups[shot.group].name},
+                   {"radius_m", shot.radius},
+                   {"density_kg_m3", shot.density},
+                   {"speed_m_s", shot.speed},
+                   {"speed_error_m_s", shot.speed_error},
+                   {"layer_depth_m", shot.layer_depth},
+                   {"layer_width_m", shot.layer_width},
+                   {"depth_error_m", shot.depth_error},
+                   {"used", shot.used}});
+    all.back().update(measured_to_json(shot));
+  }
+  return all;
+}
+
+Json shots_to_json(const CalibrationJob& job, const std::vector<ShotDepth>& depths) {
+  Json all = Json::array();
+  for (const ShotDepth& depth : depths) {
+    const MeasuredShot& shot = job.shots[depth.shot];
+    all.push_back({{"shot", depth.shot},
+                   {"label", shot.label},
+                   {"depth_m", finite(depth.depth)},
+                   {"low_m", finite(depth.low)},
+                   {"high_m", finite(depth.high)},
+                   {"model_error", finite(depth.model_error)},
+                   {"fitted", depth.fitted},
+                   {"deviation", finite(depth.deviation)}});
+    all.back().update(measured_to_json(shot));
+  }
+  return all;
+}
+
+// --- the page -------------------------------------------------------------------------------------------------------
+
+namespace {
 
 // The shot of the data that an entry of a hypothesis belongs to.
 const Json& datum_of(const Json& result, const Json& entry) {
@@ -39,23 +87,38 @@ std::vector<std::string> each_once(const Json& shots, const char* key) {
   return all;
 }
 
-// Every shot, measured and as each hypothesis has it.
-Table shot_table(const Json& result) {
-  const Json& hypotheses = list(result, "hypotheses");
-  Table table{.caption = "Shots: model over measured, less 1", .rows = {{"shot", "measured"}}, .notes = {}};
-  for (std::size_t n = 1; n <= hypotheses.size(); ++n) table.rows[0].push_back(fmt::format("hypothesis {}", n));
+std::string measured_words(const Json& shot) {
+  return (number(shot, "measured_m") ? "" : "at least ") + length(measured_depth(shot));
+}
+
+// A shot's entry of a hypothesis, or of the closed form; null where there is none.
+const Json& entry_of(const Json& with_shots, std::size_t shot) {
+  static const Json nothing = nullptr;
+  for (const Json& entry : list(with_shots, "shots"))
+    if (number(entry, "shot") == static_cast<double>(shot)) return entry;
+  return nothing;
+}
+
+// Every shot as each hypothesis has it, and as the closed form does.
+Table deviation_table(const Json& result) {
+  Table table{.caption = "Shots: model over measured, less 1", .rows = {{"shot"}}, .notes = {}};
+  std::vector<const Json*> columns;
+  for (const Json& hypothesis : list(result, "hypotheses")) {
+    columns.push_back(&hypothesis);
+    table.rows[0].push_back(fmt::format("hypothesis {}", columns.size()));
+  }
+  if (const Json& dehn = at(result, "dehn"); dehn.is_object()) {
+    columns.push_back(&dehn);
+    table.rows[0].push_back("Dehn's");
+  }
   const Json& shots = list(at(result, "data"), "shots");
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    const auto measured = number(shots[i], "measured_m");
-    std::vector<std::string> row{text(shots[i], "label"),
-                                 (measured ? "" : "at least ") + length(measured_depth(shots[i]))};
-    for (const Json& hypothesis : hypotheses) {
-      std::string cell = "-";
-      for (const Json& entry : list(hypothesis, "shots"))
-        if (number(entry, "shot") == static_cast<double>(i))
-          cell = (measured ? signed_percent(number(entry, "deviation")) : length(number(entry, "depth_m"))) +
-                 (yes(entry, "fitted") ? "" : ", predicted");
-      row.push_back(cell);
+    std::vector<std::string> row{text(shots[i], "label")};
+    for (const Json* column : columns) {
+      const Json& entry = entry_of(*column, i);
+      row.push_back(number(entry, "deviation") ? signed_percent(number(entry, "deviation"))
+                                               : length(number(entry, "depth_m")));
+      if (at(entry, "fitted") == Json(false)) row.back() += ", predicted";
     }
     table.rows.push_back(row);
   }
@@ -63,14 +126,21 @@ Table shot_table(const Json& result) {
   return table;
 }
 
-}  // namespace
+Table depth_table(const Json& result, const Json& hypothesis) {
+  Table table{
+      .caption = "Depths", .rows = {{"shot", "measured", "model", level_words(result) + " of one shot"}}, .notes = {}};
+  for (const Json& entry : list(hypothesis, "shots"))
+    table.rows.push_back({text(entry, "label"), measured_words(entry), length(number(entry, "depth_m")),
+                          length(number(entry, "low_m")) + " to " + length(number(entry, "high_m"))});
+  return table;
+}
 
 Figure depths_figure(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   Chart chart{.title = "Depths: the model's against the measured",
               .x = {.label = "measured, radii", .logarithmic = true},
               .y = {.label = "model, radii; interval of one shot", .logarithmic = true}};
-  int colour = 0, fitted_shots = 0, within = 0;
-  double low = HUGE_VAL, high = 0, sum = 0;
+  int colour = 0;
+  double low = HUGE_VAL, high = 0;
   for (const std::string& set : each_once(list(at(result, "data"), "shots"), "set")) {
     Series fitted = series(set + ", fitted", Mark::points_with_bars, colour),
            predicted = series(set + ", predicted", Mark::points_with_bars, colour + 1);
@@ -87,10 +157,6 @@ Figure depths_figure(const Json& result, const Json& hypothesis, int number_of_h
           low = std::min(low, value);
           high = std::max(high, value);
         }
-      if (!yes(entry, "fitted") || !number(entry, "deviation")) continue;
-      ++fitted_shots;
-      sum += std::abs(*number(entry, "deviation"));
-      within += least <= measured && measured <= most;
     }
     colour += predicted.x.empty() ? 1 : 2;
     add(chart, std::move(fitted));
@@ -101,9 +167,9 @@ Figure depths_figure(const Json& result, const Json& hypothesis, int number_of_h
   for (const double end : {low, high}) add_point(same, end, end);
   add(chart, std::move(same));
   std::string finding;
-  if (fitted_shots > 0)
+  if (const FittedDepths fitted = fitted_depths(hypothesis); fitted.count > 0)
     finding = fmt::format("The fitted depths deviate by {} in the mean; {} of {} lie in the interval of one shot.",
-                          percent(sum / fitted_shots), within, fitted_shots);
+                          percent(fitted.deviation), fitted.within, fitted.count);
   return {
       .name = fmt::format("depths_{}", number_of_hypothesis),
       .caption = finding + " Dashed: the same depth.",
@@ -112,7 +178,28 @@ Figure depths_figure(const Json& result, const Json& hypothesis, int number_of_h
       .chart = chart};
 }
 
-Section impact_parameter_section(const Json& result) {
+}  // namespace
+
+FittedDepths fitted_depths(const Json& hypothesis) {
+  FittedDepths fitted;
+  for (const Json& entry : list(hypothesis, "shots")) {
+    const auto deviation = number(entry, "deviation");
+    if (!yes(entry, "fitted") || !deviation) continue;
+    const double measured = measured_depth(entry);
+    ++fitted.count;
+    fitted.deviation += std::abs(*deviation);
+    fitted.within += number_or(entry, "low_m", nowhere) <= measured && measured <= number_or(entry, "high_m", nowhere);
+  }
+  if (fitted.count > 0) fitted.deviation /= fitted.count;
+  return fitted;
+}
+
+void add_shots(Section& section, const Json& result, const Json& hypothesis, int number_of_hypothesis) {
+  add(section, depths_figure(result, hypothesis, number_of_hypothesis));
+  add(section, depth_table(result, hypothesis));
+}
+
+Section depths_section(const Json& result) {
   Section section{.id = "depths", .title = "Depth against the impact parameter", .blocks = {}};
   const Json& shots = list(at(result, "data"), "shots");
   int n = 0;
@@ -171,8 +258,8 @@ Section impact_parameter_section(const Json& result) {
                                   places.size(), material, finding),
                .chart = chart});
   }
-  add(section, shot_table(result));
+  add(section, deviation_table(result));
   return section;
 }
 
-}  // namespace percal::page
+}  // namespace percal::calibration_page
