@@ -24,7 +24,8 @@ TEST_F(CalibrationJson, HasTheInputTheVersionAndTheCost) {
   EXPECT_EQ(result["command"], "calibrate");
   EXPECT_EQ(result["input"]["toml"], calibrate_test::small_job);
   EXPECT_EQ(result["title"], "Jelly");
-  EXPECT_EQ(result["isa"], "x86_64_v2");
+  EXPECT_EQ(result["seed"], 7);
+  EXPECT_EQ(result["cost"]["isa"], "x86_64_v2");
   EXPECT_EQ(result["cost"]["budget_s"], 60);
   EXPECT_TRUE(result["schema"].is_number_integer());
   EXPECT_TRUE(result["percal"].is_string());

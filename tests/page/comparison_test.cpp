@@ -7,7 +7,6 @@
 #include "page/page_words.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/page/page.hpp"
-#include "percal/calibrate/page/page.hpp"
 
 namespace percal {
 namespace {
@@ -82,7 +81,7 @@ TEST_F(Comparison, FiguresThatDifferAreOverlaid) {
   EXPECT_NE(ours->colour, theirs->colour);
   ASSERT_TRUE(series_of(*curve, "the same in both"));
   EXPECT_NEAR(series_of(*curve, "the same in both")->y.front(), 5.5, 1e-9) << "the measured points, once";
-  EXPECT_FALSE(figure_of(page, "ridge_1")) << "the same in both";
+  EXPECT_FALSE(figure_of(page, "ridge_mu")) << "the same in both";
 }
 
 TEST_F(Comparison, CostsStandSideBySideAndAreNoDifferenceOfTheResult) {

@@ -43,6 +43,7 @@ class ACalibration(unittest.TestCase):
     def test_is_its_result_as_a_dict(self):
         self.assertEqual(self.found["command"], "calibrate")
         self.assertIn("hypotheses", dict(self.found))
+        self.assertTrue(self.found.cost["isa"])
         self.assertTrue(any("is fitted" in sentence for sentence in self.sentences))
 
     def test_goes_on_from_its_store(self):
