@@ -5,7 +5,7 @@ namespace percal::tools {
 
 std::vector<KeyMeaning> calibrate_meanings() {
   return {
-      {"calibrate", "title", "first line on the terminal"},
+      {"calibrate", "title", "of the result, its page and its cards"},
       {"calibrate", "level", "of all intervals"},
       {"calibrate", "bootstrap", "replicates; 0: none"},
       {"calibrate", "dehn", "Dehn's closed form is fitted to the same shots and stands beside every prediction"},

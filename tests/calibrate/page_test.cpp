@@ -65,7 +65,8 @@ TEST_F(CalibratePageOfResult, TheAnswerHasTheNumbersUnderEveryHypothesis) {
             HasSubstr("E of soft | 2 | 30 kPa | 24 kPa to 39 kPa"), HasSubstr("mu of hard | 1 | 200 kPa | -"),
             HasSubstr("alpha | 1 | 6 | 5 to above 12"), HasSubstr("alpha | 2 | 5 | held"),
             HasSubstr("strain | 1 | 0.9 | 0.7 to 1.1"), HasSubstr("depths are off by | 1 | 10.0 % | 3 of 3 within"),
-            HasSubstr("2: held"), HasSubstr("Not identifiable under 1: mu_hard.")));
+            HasSubstr("2: held"), HasSubstr("Not identifiable under 1: mu_hard."),
+            HasSubstr("At a bound of the search under 1: alpha.")));
 }
 
 TEST_F(CalibratePageOfResult, WithOneHypothesisTheAnswerHasBothRatesAndNoColumnOfHypotheses) {

@@ -52,6 +52,11 @@ TEST_F(Comparison, LinesOfTheJobThatDifferStandSideBySide) {
   EXPECT_THAT(words, Not(HasSubstr("bootstrap = 20"))) << "a line of both";
 }
 
+TEST_F(Comparison, AnotherProcessorIsSaid) {
+  second["cost"]["isa"] = "x86_64_v4";
+  EXPECT_THAT(words_of(*section_of(both(), "inputs")), HasSubstr("isa | x86_64_v2 | x86_64_v4"));
+}
+
 TEST_F(Comparison, ANumberIsShownWithItsDifferenceOverBothErrors) {
   // The interval from 80 kPa to 130 kPa is an error of 12.5 kPa, of both together 17.7 kPa.
   second["hypotheses"][0]["parameters"][0]["value_Pa"] = 1.5e5;

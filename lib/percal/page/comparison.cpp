@@ -36,6 +36,7 @@ std::map<std::string, std::string> inputs_of(const Json& result) {
   for (const char* key : {"percal", "version", "isa", "residual", "model", "signs", "convention", "sources", "level"})
     if (!maybe(result, key).is_null() && !maybe(result, key).is_object())
       collect_inputs(maybe(result, key), key, inputs);
+  if (const Json& isa = maybe(maybe(result, "cost"), "isa"); isa.is_string()) collect_inputs(isa, "isa", inputs);
   collect_inputs(maybe(result, "input"), "", inputs);
   return inputs;
 }

@@ -80,17 +80,19 @@ Table number_table(const Json& result) {
   return table;
 }
 
-// The parameters that the data do not tell, by hypothesis.
+// The parameters that the data do not tell, and those that ended at a bound, by hypothesis.
 std::vector<std::string> unknown(const Json& result) {
   const Json& hypotheses = list(result, "hypotheses");
   std::vector<std::string> sentences;
   for (std::size_t n = 0; n < hypotheses.size(); ++n) {
-    std::vector<std::string> names;
-    for (const Json& one : list(hypotheses[n], "parameters"))
-      if (at(one, "identifiable") == Json(false)) names.push_back(text(one, "name"));
-    if (!names.empty())
-      sentences.push_back(fmt::format("Not identifiable{}: {}.",
-                                      hypotheses.size() > 1 ? fmt::format(" under {}", n + 1) : "", listed(names)));
+    const std::string under = hypotheses.size() > 1 ? fmt::format(" under {}: ", n + 1) : ": ";
+    std::vector<std::string> unidentified, bounded;
+    for (const Json& one : list(hypotheses[n], "parameters")) {
+      if (at(one, "identifiable") == Json(false)) unidentified.push_back(text(one, "name"));
+      if (yes(one, "at_bound")) bounded.push_back(text(one, "name"));
+    }
+    if (!unidentified.empty()) sentences.push_back("Not identifiable" + under + listed(unidentified) + ".");
+    if (!bounded.empty()) sentences.push_back("At a bound of the search" + under + listed(bounded) + ".");
   }
   return sentences;
 }
