@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "percal/base/error.hpp"
+#include "percal/fit/findings.hpp"
 #include "percal/fit/read_curves.hpp"
 
 namespace percal {
