@@ -24,10 +24,10 @@ Table parameter_table(const Json& result) {
       table.rows[0].push_back(kind);
   const auto row = [&](const std::string& name, const std::string& key, double value, const Dimension& d) {
     const Json& parameter = maybe(parameters, key);
-    std::vector<std::string> cells{name, quantity(value, d), interval_words(parameter, d)};
+    std::vector<std::string> cells{name, quantity(value, d), interval_words(parameter, d, 4)};
     if (parameter.is_object() && !yes(parameter, "identifiable")) cells[2] += ", not identifiable";
     for (const char* kind : {"points", "residuals", "parametric"})
-      if (bootstrap) cells.push_back(interval_words(at(at(parameter, "bootstrap"), kind), d));
+      if (bootstrap) cells.push_back(interval_words(at(at(parameter, "bootstrap"), kind), d, 4));
     table.rows.push_back(cells);
   };
   for (std::size_t k = 0; k < solid.terms.size(); ++k) {
@@ -43,7 +43,7 @@ Table parameter_table(const Json& result) {
   }
   if (!single)
     table.rows.push_back({"small-strain modulus, the sum", pressure(number(best(result), "mu_Pa")),
-                          interval_words(at(about(result, 0), "small_strain_mu_Pa"), dimension::pressure) +
+                          interval_words(at(about(result, 0), "small_strain_mu_Pa"), dimension::pressure, 4) +
                               (has_intervals(result) ? " (linearised)" : "")});
   for (const char* constant : {"C10_Pa", "C01_Pa"})
     if (const auto value = number(best(result), constant))
@@ -114,8 +114,8 @@ Section minima_section(const Json& result) {
   const Json& search = at(result, "search");
   const std::string loss = text(result, "loss");
   table.notes = {
-      fmt::format("The objective is the sum of {}{}; alpha was searched from {} to {}: {} solids scanned, {} "
-                  "fits started.",
+      fmt::format("The objective is the sum of {}{}; alpha was searched from {} to {}: {} solids scanned, "
+                  "{} started from.",
                   loss == "squares" ? "squared residuals" : "the loss " + loss + " of the residuals",
                   text(result, "objective_unit") == "1" ? "" : ", in " + text(result, "objective_unit"),
                   shown(number(search, "alpha_low")), shown(number(search, "alpha_high")),
