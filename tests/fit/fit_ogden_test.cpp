@@ -1,5 +1,3 @@
-#include "percal/fit/fit_curves.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +5,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/fit/findings.hpp"
+#include "percal/fit/fit_curves.hpp"
 #include "percal/fit/read_curves.hpp"
 
 namespace percal {

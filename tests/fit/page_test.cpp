@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "page/page_words.hpp"
-#include "percal/fit/page/sections.hpp"
 #include "percal/fit/page/fit_json.hpp"
+#include "percal/fit/page/sections.hpp"
 #include "percal/page/text.hpp"
 
 namespace percal {
@@ -113,7 +113,8 @@ TEST(FitPage, TermsOfASumStandBelowTheirMinimumWithTheirIntervals) {
   about.parameters = {parameter("mu_1", "Pa", 2000, {1900, 2100}), parameter("mu_2", "Pa", 500, {400, 600}),
                       parameter("alpha_1", "", 4, {3.5, 4.5}), parameter("alpha_2", "", -2, {-3, -1})};
   about.small_strain_modulus = Interval{2450, 2550};
-  const Section* result = section_of(page_of(found), "result");
+  const Page page = page_of(found);
+  const Section* result = section_of(page, "result");
   ASSERT_NE(result, nullptr);
   const std::string words = words_of(*result);
   EXPECT_THAT(words, HasSubstr("1 | 2.5 | 2.45 to 2.55 | - | - | 0.9876 | 0 %"));
