@@ -125,7 +125,6 @@ struct ManArguments {
 struct DescribedCommand;
 
 Exit run_fit(const FitArguments&, const Common&);
-Exit run_rate_factor(const FitArguments&, const Common&);
 Exit run_scale(const ScaleArguments&, const Common&);
 Exit run_impact(const ImpactArguments&, const Common&);
 Exit run_identify(const IdentifyArguments&, const Common&);

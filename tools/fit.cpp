@@ -1,25 +1,19 @@
-// percal fit FILE...: stress-stretch curves -> moduli and exponents, every minimum.
+// percal fit FILE...: stress-stretch curves -> moduli and exponents, every minimum; with --rate-factor one factor between two.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <locale>
-#include <nlohmann/json.hpp>
+#include <map>
 #include <sstream>
 
-#include "fit_output.hpp"
-#include "fit_text.hpp"
-#include "percal/card/card_json.hpp"
-#include "percal/fit/cards.hpp"
-#include "percal/fit/fit_json.hpp"
-#include "percal/fit/read_curves.hpp"
-#include "percal/fit/uncertainty_json.hpp"
-#include "percal/text/file.hpp"
+#include "pages.hpp"
+#include "percal/fit/findings.hpp"
+#include "percal/fit/page/fit_json.hpp"
+#include "percal/fit/page/page.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
 namespace {
-
-using nlohmann::json;
 
 // A finite number that is the whole text.
 std::optional<double> number_in(const std::string& text) {
@@ -56,8 +50,16 @@ Weighting weighting_of(const std::string& text) {
   return tests;
 }
 
-CurveOptions options_of(const FitArguments& arguments) {
-  CurveOptions options;
+FitRequest request_of(const FitArguments& arguments) {
+  FitRequest request{.files = arguments.files,
+                     .columns = {.mode = arguments.mode,
+                                 .x = arguments.x,
+                                 .y = arguments.y,
+                                 .error = arguments.error,
+                                 .where = arguments.where},
+                     .stretches = stretches_of(arguments.stable),
+                     .compare = arguments.compare};
+  CurveOptions& options = request.options;
   options.model = *model_of(arguments.model);
   for (const Residual residual : {Residual::relative, Residual::absolute, Residual::error})
     if (arguments.residual == word(residual)) options.residual = residual;
@@ -65,54 +67,77 @@ CurveOptions options_of(const FitArguments& arguments) {
     if (arguments.loss == word(loss)) options.loss = loss;
   options.weighting = weighting_of(arguments.weights);
   options.signs = arguments.unconstrained ? Signs::free : Signs::positive;
-  return options;
+  request.intervals = {.level = arguments.level, .bootstrap = arguments.bootstrap};
+  if (!arguments.intervals && !arguments.rate_factor) request.intervals.reset();
+  if (arguments.rate_factor) request.rate_column = arguments.rate_column;
+  return request;
 }
 
-CurveData read(const FitArguments& arguments) {
-  return read_curves(
-      arguments.files,
-      {.mode = arguments.mode, .x = arguments.x, .y = arguments.y, .error = arguments.error, .where = arguments.where});
+// --check: the files and their columns.
+Exit say_read(const page::Json& read, const Common& common) {
+  if (common.json) fmt::print("{}", page::written(read));
+  if (common.talks()) fmt::print("{}", page::as_text(read_page(read), terminal_style(page::Detail::answer)));
+  return Exit::done;
+}
+
+Exit fit(const FitRequest& request, const Common& common) {
+  const Stopwatch clock;
+  FinishedFit found{.data = read_curves(request.files, request.columns), .fit = {}};
+  if (common.check) return say_read(read_to_json(request, found.data.sources), common);
+  const std::string folder = out_folder(request.files[0], common);
+  found.fit = fit_curves(found.data, request.options);
+  if (request.compare) found.comparison = compare_models(found.data, request.options);
+  if (request.intervals) found.uncertainty = uncertainty_of(found.data, found.fit, *request.intervals);
+  deliver(fit_to_json(request, found, clock.cost()), folder, common);
+  if (found.fit.minima.empty()) fmt::print(stderr, "percal: {}\n", findings(found.fit)[0]);
+  return !found.fit.minima.empty() && found.fit.minima[0].converged ? Exit::done : Exit::outcome_not_reached;
+}
+
+// The rows of a file whose rates are two different numbers; the smaller is the low rate.
+RatePair by_rate_column(const FitRequest& request) {
+  CsvTable table = read_csv(request.files[0]).where(request.columns.where);
+  const int column = table.column(*request.rate_column);
+  table.columns[static_cast<std::size_t>(column)].unit.clear();  // rates in any unit: only their order counts
+  const auto rates = table.numbers(column, dimension::none);
+  std::map<double, CsvTable> of_rate;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    auto& rows = of_rate.try_emplace(rates[i], table).first->second.rows;
+    if (rows.size() == table.rows.size()) rows.clear();
+    rows.push_back(table.rows[i]);
+  }
+  if (of_rate.size() != 2)
+    throw BadInput({request.files[0], table.header_line, table.columns[static_cast<std::size_t>(column)].header},
+                   fmt::format("{} different rates", of_rate.size()), "two, chosen with --where if there are more");
+  CurveColumns columns = request.columns;
+  columns.where.clear();
+  return {curves_of(of_rate.begin()->second, columns), curves_of(of_rate.rbegin()->second, columns)};
+}
+
+RatePair read_pair(const FitRequest& request) {
+  const std::size_t files = request.rate_column->empty() ? 2 : 1;
+  if (request.files.size() != files)
+    throw BadInput(
+        {"", 0, "--rate-factor"}, fmt::format("{} file(s)", request.files.size()),
+        files == 2 ? "two files, the low rate first; or one file with --rate-column" : "one file with --rate-column");
+  if (files == 1) return by_rate_column(request);
+  return {read_curves({request.files[0]}, request.columns), read_curves({request.files[1]}, request.columns)};
+}
+
+Exit fit_factor(const FitRequest& request, const Common& common) {
+  const Stopwatch clock;
+  const RatePair pair = read_pair(request);
+  if (common.check) return say_read(read_to_json(request, {pair.slow.sources[0], pair.fast.sources[0]}), common);
+  const std::string folder = out_folder(request.files[0], common);
+  const RateFactor found = fit_rate_factor(pair.slow, pair.fast, request.options.residual, request.intervals->level);
+  deliver(rate_factor_to_json(request, pair, found, clock.cost()), folder, common);
+  return found.converged ? Exit::done : Exit::outcome_not_reached;
 }
 
 }  // namespace
 
 Exit run_fit(const FitArguments& arguments, const Common& common) {
-  if (arguments.rate_factor) return run_rate_factor(arguments, common);
-  const Clock clock;
-  const CurveOptions options = options_of(arguments);
-  const StretchRange stretches = stretches_of(arguments.stable);
-  const CurveData data = read(arguments);
-  if (common.check) {
-    json result = fit_head(arguments);
-    result["sources"] = to_json(data);
-    if (common.json) put(written(result));
-    if (!common.json && !common.quiet) put(sources_as_text(data));
-    return Exit::done;
-  }
-  if (!common.out.empty()) ensure_writable_folder(common.out);
-
-  const CurveFit fit = fit_curves(data, options);
-  std::vector<ComparedModel> models;
-  if (arguments.compare) models = compare_models(data, options);
-  Uncertainty uncertainty;
-  if (arguments.intervals)
-    uncertainty = uncertainty_of(data, fit, {.level = arguments.level, .bootstrap = arguments.bootstrap});
-  json result = fit_head(arguments);
-  result.update(to_json(fit, data, stretches));
-  result["data"] = points_of_tests(data, fit.tests);
-  result["uncertainty"] = arguments.intervals ? to_json(uncertainty) : json(nullptr);
-  result["cards"] = cards_to_json(fit_cards(data, fit, uncertainty));
-  if (arguments.compare) result["comparison"] = to_json(models, stretches);
-  result["cost"] = clock.cost();
-  deliver(result, common);
-  if (!common.json && !common.quiet) put(fit_as_text(fit, data, stretches));
-  if (!common.json && !common.quiet && arguments.intervals) put(uncertainty_as_text(uncertainty, fit));
-  if (!common.json && !common.quiet && arguments.compare) put(comparison_as_text(models, stretches));
-  if (fit.minima.empty()) {
-    fmt::print(stderr, "percal: {}\n", findings(fit)[0]);
-    return Exit::outcome_not_reached;
-  }
-  return fit.minima[0].converged ? Exit::done : Exit::outcome_not_reached;
+  const FitRequest request = request_of(arguments);
+  return request.rate_column ? fit_factor(request, common) : fit(request, common);
 }
 
 }  // namespace percal::tools

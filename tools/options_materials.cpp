@@ -49,7 +49,6 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
       "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
       "data/synthetic/gelatin_12wt_highrate.csv");
   add_common(*command, common, false);
-  command->get_option("--out")->description("folder for result.json (default: nothing is written)");
   commands.push_back({command, [&] { return run_fit(fit, common); }});
 }
 

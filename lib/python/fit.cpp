@@ -3,23 +3,15 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core.hpp"
 #include "percal/base/error.hpp"
-#include "percal/base/version.hpp"
-#include "percal/card/card_json.hpp"
-#include "percal/fit/cards.hpp"
-#include "percal/fit/fit_json.hpp"
-#include "percal/fit/read_curves.hpp"
-#include "percal/fit/uncertainty_json.hpp"
+#include "percal/fit/page/fit_json.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::python {
 namespace {
 
 namespace py = pybind11;
-using nlohmann::json;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 BadInput refused(const std::string& key, const std::string& found, const std::string& accepted) {
@@ -42,15 +34,9 @@ Deformation deformation_named(const std::string& mode) {
   throw refused("mode", in_quotes(mode), deformation_words());
 }
 
-struct Options {
-  CurveOptions curve;
-  UncertaintyOptions uncertainty;
-  StretchRange stretches;
-};
-
-Options options_of(const py::dict& given) {
-  Options options;
-  CurveOptions& curve = options.curve;
+FitRequest request_of(const py::dict& given) {
+  FitRequest request;
+  CurveOptions& curve = request.options;
   curve.model = choice_of("model", given["model"].cast<std::string>(),
                           {Model::ogden, Model::ogden2, Model::ogden3, Model::neo_hooke, Model::mooney_rivlin});
   curve.residual = choice_of("residual", given["residual"].cast<std::string>(),
@@ -72,14 +58,15 @@ Options options_of(const py::dict& given) {
   const auto [low, high] = given["stretches"].cast<std::pair<double, double>>();
   if (!(low > 0 && low <= 1 && high >= 1 && low < high))
     throw refused("stretches", fmt::format("{:g}, {:g}", low, high), "0 < low <= 1 <= high");
-  options.stretches = {low, high};
-  options.uncertainty.level = given["level"].cast<double>();
-  if (!(options.uncertainty.level > 0 && options.uncertainty.level < 1))
-    throw refused("level", fmt::format("{:g}", options.uncertainty.level), "a number between 0 and 1, such as 0.95");
-  options.uncertainty.bootstrap = given["bootstrap"].cast<int>();
-  if (options.uncertainty.bootstrap < 0)
-    throw refused("bootstrap", std::to_string(options.uncertainty.bootstrap), "a number of replicates, 0 for none");
-  return options;
+  request.stretches = {low, high};
+  UncertaintyOptions& intervals = *request.intervals;
+  intervals.level = given["level"].cast<double>();
+  if (!(intervals.level > 0 && intervals.level < 1))
+    throw refused("level", fmt::format("{:g}", intervals.level), "a number between 0 and 1, such as 0.95");
+  intervals.bootstrap = given["bootstrap"].cast<int>();
+  if (intervals.bootstrap < 0)
+    throw refused("bootstrap", std::to_string(intervals.bootstrap), "a number of replicates, 0 for none");
+  return request;
 }
 
 void check_length(const std::string& key, py::ssize_t found, py::ssize_t wanted) {
@@ -145,17 +132,14 @@ py::dict columns_of(const CurveData& data) {
 }
 
 // The fit as JSON and the points that it was made from.
-py::tuple fit(const CurveData& data, const Options& options) {
-  json result = {{"schema", result_schema}, {"version", version()}, {"command", "fit"}};
+py::tuple fit(const FitRequest& request, const CurveData& data) {
+  const Stopwatch clock;
+  FinishedFit found{.data = data, .fit = {}};
   interruptible([&](const std::atomic<bool>& stop) {
-    const CurveFit found = fit_curves(data, options.curve);
-    result.update(to_json(found, data, options.stretches));
-    if (stop) return;
-    const Uncertainty uncertainty = uncertainty_of(data, found, options.uncertainty);
-    result["uncertainty"] = to_json(uncertainty);
-    result["cards"] = cards_to_json(fit_cards(data, found, uncertainty));
+    found.fit = fit_curves(data, request.options);
+    if (!stop) found.uncertainty = uncertainty_of(data, found.fit, *request.intervals);
   });
-  return py::make_tuple(result.dump(-1, ' ', false, json::error_handler_t::replace), columns_of(data));
+  return py::make_tuple(page::written(fit_to_json(request, found, clock.cost())), columns_of(data));
 }
 
 Numbers stresses(const std::vector<std::pair<double, double>>& terms, const std::string& mode, const Numbers& stretch,
@@ -180,14 +164,18 @@ void bind_fit(py::module_& core) {
   core.def("fit", [](const Numbers& stretch, const Numbers& stress, const std::vector<std::string>& modes,
                      const std::optional<Numbers>& error, const std::optional<Numbers>& across, bool cauchy,
                      const py::dict& options) {
-    const Options read = options_of(options);
-    return fit(data_of(stretch, stress, modes, error, across, cauchy), read);
+    FitRequest request = request_of(options);
+    const CurveData data = data_of(stretch, stress, modes, error, across, cauchy);
+    request.files = {data.sources[0].file};
+    return fit(request, data);
   });
   core.def("fit_csv", [](const std::vector<std::string>& files, const std::string& mode, const std::string& x,
                          const std::string& y, const std::string& error, const std::vector<std::string>& where,
                          const py::dict& options) {
-    const Options read = options_of(options);
-    return fit(read_curves(files, {.mode = mode, .x = x, .y = y, .error = error, .where = where}), read);
+    FitRequest request = request_of(options);
+    request.files = files;
+    request.columns = {.mode = mode, .x = x, .y = y, .error = error, .where = where};
+    return fit(request, read_curves(files, request.columns));
   });
   core.def("nominal_stress", &stresses);
 }

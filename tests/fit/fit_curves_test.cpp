@@ -8,6 +8,7 @@
 #include <random>
 
 #include "percal/base/error.hpp"
+#include "percal/fit/findings.hpp"
 #include "percal/fit/read_curves.hpp"
 
 namespace percal {

@@ -1,11 +1,11 @@
-#include "percal/fit/fit_curves.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "percal/base/error.hpp"
+#include "percal/fit/findings.hpp"
+#include "percal/fit/fit_curves.hpp"
 #include "percal/fit/read_curves.hpp"
 
 namespace percal {

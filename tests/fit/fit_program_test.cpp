@@ -51,7 +51,7 @@ TEST_F(FitProgram, TheJsonHoldsTreloarsTwoMinimaBestFirstAndNothingElse) {
   EXPECT_EQ(result["points"], 24);
   EXPECT_EQ(result["left_out_zero_stress"], 0);
   EXPECT_EQ(result["residual"], "absolute");
-  for (const char* key : {"version", "schema", "input", "cost", "findings"}) EXPECT_TRUE(result.contains(key)) << key;
+  for (const char* key : {"percal", "schema", "input", "cost", "findings"}) EXPECT_TRUE(result.contains(key)) << key;
   EXPECT_THAT(result["findings"][0].get<std::string>(), HasSubstr("negative"));
 }
 
@@ -112,6 +112,14 @@ TEST_F(FitProgram, TheOutFolderGetsTheSameResult) {
   EXPECT_EQ(result("new/out/result.json"), json::parse(run.out));
 }
 
+TEST_F(FitProgram, ResultsGoToAFolderNamedForTheFirstFileUnlessNoneAreWanted) {
+  ASSERT_EQ(fit({treloar, "--quiet", "--no-intervals", "--out", "none"}).code, 0);
+  ASSERT_EQ(fit({treloar, "--check"}).code, 0);
+  EXPECT_EQ(files(), std::set<std::string>{});
+  ASSERT_EQ(fit({treloar, public_file("meunier2008_silicone_modes.csv"), "--quiet", "--no-intervals"}).code, 0);
+  EXPECT_EQ(result("treloar1944_rubber_primary.out/result.json")["input"]["files"].size(), 2u);
+}
+
 TEST_F(FitProgram, AnUnwritableFolderIsExitFour) {
   write("file", "not a folder");
   const Ended run = fit({treloar, "--out", path("file/out")});
@@ -149,8 +157,20 @@ TEST_F(FitProgram, QuietPrintsNothing) {
 TEST_F(FitProgram, TheTableShowsBothMinimaAndSaysTheSignIsOpen) {
   const Ended run = fit({treloar, "--where", "mode=UT", "--residual", "absolute"});
   EXPECT_EQ(run.code, 0);
-  for (const char* part : {"-7.785", "3.901", "0.555 %", "negative alpha", "24 points used", "±"})
+  for (const char* part : {"-7.785", "3.901", "0.555 %", "negative alpha", "24 points (24 uniaxial)", "95 % interval"})
     EXPECT_THAT(run.out, HasSubstr(part));
+}
+
+TEST_F(FitProgram, WhatTheAnswerLeavesOutIsAmongTheDetails) {
+  const std::vector<std::string> arguments{treloar, "--compare", "--bootstrap", "5"};
+  std::vector<std::string> with_details = arguments;
+  with_details.push_back("--details");
+  const Ended answer = fit(arguments), details = fit(with_details);
+  for (const char* part : {"-0.7971", "2 mu/alpha", "points drawn anew", "51 degrees of freedom", "weight of a point",
+                           "alpha was searched from -40 to 40", "nominal_stress_MPa", "R2 of each test"}) {
+    EXPECT_THAT(details.out, HasSubstr(part));
+    EXPECT_THAT(answer.out, testing::Not(HasSubstr(part)));
+  }
 }
 
 TEST_F(FitProgram, ModelsStandSideBySide) {
@@ -166,7 +186,7 @@ TEST_F(FitProgram, ModelsStandSideBySide) {
   EXPECT_EQ(three["stability"]["stable_throughout"], true);
   EXPECT_EQ(result["tests"].size(), 3u);
   const Ended table = fit({treloar, "--compare"});
-  for (const char* part : {"neo-hooke", "mooney-rivlin", "ogden3", "AICc", "left-out tests"})
+  for (const char* part : {"neo-hooke", "mooney-rivlin", "ogden3", "AICc", "left out"})
     EXPECT_THAT(table.out, HasSubstr(part));
 }
 

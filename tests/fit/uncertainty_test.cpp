@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "percal/fit/point_bootstrap.hpp"
+#include "percal/fit/curve_calibration.hpp"
 #include "percal/fit/read_curves.hpp"
 #include "percal/math/distributions.hpp"
 #include "support/synthetic_curves.hpp"

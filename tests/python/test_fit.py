@@ -1,6 +1,8 @@
 """Curves: points and files in, the solid out."""
 
+import json
 import os
+import subprocess
 import unittest
 
 import numpy as np
@@ -77,6 +79,16 @@ class AFit(unittest.TestCase):
         again = percal.fit(of_file.stretch, of_file.stress, mode=of_file.mode)
         self.assertEqual(of_file.mu, again.mu)
         self.assertAlmostEqual(of_file.mu / 11.64e3, 1, delta=0.05)
+
+    def test_of_a_file_has_the_result_that_the_program_writes(self):
+        path = os.path.join(DATA, "synthetic", "gelatin_12wt_quasistatic.csv")
+        options = ["--weights", "uniaxial=2", "--residual", "error", "--stable", "0.5:2", "--bootstrap", "5", "--level", "0.9"]
+        program = [os.environ["PERCAL_PROGRAM"], "fit", path, *options, "--out", "none", "--json"]
+        of_program = json.loads(subprocess.run(program, check=True, capture_output=True).stdout)
+        ours = percal.fit_csv(path, weights={"uniaxial": 2}, residual="error", stretches=(0.5, 2), bootstrap=5, level=0.9).result
+        self.assertEqual(ours.pop("cost").keys(), of_program.pop("cost").keys())
+        self.assertEqual(ours, of_program)
+        self.assertEqual(percal.fit(STRETCH, noisy()).result.keys(), percal.fit_csv(path).result.keys())
 
 
 class WhatCannotBeUsed(unittest.TestCase):

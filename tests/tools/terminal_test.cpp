@@ -72,22 +72,30 @@ std::size_t widest(const std::string& text) {
   return most;
 }
 
-// The table of minima alone: sentences are left to the terminal, which wraps them.
-std::string tables_of(const std::string& text) {
+// Lines of tables and sentences; titles and names of files stay whole.
+std::string indented(const std::string& text) {
   std::istringstream lines(text);
-  std::string table;
+  std::string all;
   for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("  ") || line.starts_with("\033[1m  ")) table += line + "\n";
-  return table;
+    if (line.starts_with("  ") || line.starts_with("\033[1m  ")) all += line + "\n";
+  return all;
 }
 
 TEST_F(Terminal, WideTablesFitIntoNarrowOnes) {
-  const std::vector<std::string> command{"fit", PERCAL_DATA "/public/treloar1944_rubber_primary.csv", "--compare",
-                                         "--no-intervals"};
+  const std::vector<std::string> command{"fit", PERCAL_DATA "/public/treloar1944_rubber_primary.csv", "--compare"};
   const std::string wide = on_terminal(command, {}, 400), narrow = on_terminal(command, {}, 50);
-  ASSERT_GT(widest(tables_of(wide)), 60U);
-  EXPECT_LT(widest(tables_of(narrow)), widest(tables_of(wide)));
-  EXPECT_THAT(narrow, HasSubstr("AICc above lowest: ")) << "a list of cells";
+  ASSERT_GT(widest(indented(wide)), 100U);
+  EXPECT_LE(widest(indented(narrow)), 50U);
+  for (const char* table : {"left out", "above best"}) {
+    EXPECT_THAT(wide, Not(HasSubstr(table + std::string(": "))));
+    EXPECT_THAT(narrow, HasSubstr(table + std::string(": "))) << "a list of cells";
+  }
+}
+
+TEST_F(Terminal, TheAnswerOfAFitIsOneScreenOfEightyColumns) {
+  const std::string answer = on_terminal({"fit", PERCAL_DATA "/public/treloar1944_rubber_primary.csv"}, {}, 80);
+  EXPECT_LE(widest(indented(answer)), 80U);
+  EXPECT_LE(std::count(answer.begin(), answer.end(), '\n'), 24);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// A curve fit as a calibration problem: its points are data on the scale of its residuals, where their errors are equal.
-// docs/theory/curves.md
+// A curve fit as a calibration problem, and the bootstrap over its points. Its points are data on the scale of its residuals,
+// where their errors are equal.                                                                  docs/theory/curves.md
 #pragma once
+#include "percal/estimate/intervals.hpp"
 #include "percal/estimate/least_squares.hpp"
 #include "percal/fit/fit_curves.hpp"
 
@@ -24,5 +25,14 @@ Eigen::VectorXd searched(const CalibrationProblem& problem, const Hyperelastic& 
 // Where every point is even in alpha (planar tension, simple shear), the sign of alpha is a convention: each alpha then
 // stays on its side of 0.
 bool even_in_alpha(const CurveProblem& problem);
+
+// Percentile intervals at a level from `replicates` fits that start from the minimum. Assumes nothing of the points' errors but that
+// the points are independent. The same seed gives the same numbers. The groups must have been estimated or the errors
+// known, as the problem says. Draws with fewer than `parameters` + 1 different points count as failed.
+Bootstrap bootstrap_over_points(const CalibrationProblem& problem, const Minimum& minimum, int replicates, double level,
+                                unsigned seed, const SearchOptions& options);
+
+// The problem whose data are those at `rows`, in that order, any of them more than once. It refers to `problem`.
+CalibrationProblem drawn(const CalibrationProblem& problem, const std::vector<int>& rows);
 
 }  // namespace percal

@@ -47,10 +47,10 @@ struct CurveFit {
   int left_out_zero_stress = 0;
   int left_out_no_error = 0;
   std::map<Deformation, int> points_of_mode;  // used
-  std::optional<double> loss_scale;           // of the loss (loss.hpp), in the unit of the residuals; none for squares
-  std::optional<double> aicc;                 // of the best minimum (19); none with too few points or an exact fit
-  int scanned = 0;                            // sets of alphas with the moduli solved for
-  int starts = 0;                             // of Ceres
+  std::optional<double> loss_scale;  // of the loss (moduli.hpp), in the unit of the residuals; none for squares
+  std::optional<double> aicc;        // of the best minimum (19); none with too few points or an exact fit
+  int scanned = 0;                   // sets of alphas with the moduli solved for
+  int starts = 0;                    // of Ceres
 };
 
 // Scans the exponents with the moduli solved for at each (the stress is linear in them), then runs Ceres over the
@@ -60,9 +60,5 @@ CurveFit fit_curves(const CurveData& data, const CurveOptions& options);
 
 // The same for the one-term Ogden solid, every point counting the same.
 CurveFit fit_ogden(const CurveData& data, Residual residual);
-
-// What a reader must know beside the numbers, a sentence each: the sign of alpha and how well the other sign fits, a
-// bound, a parameter that the points do not determine, a term that vanishes.
-std::vector<std::string> findings(const CurveFit& fit);
 
 }  // namespace percal

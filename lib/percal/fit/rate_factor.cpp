@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "percal/base/error.hpp"
-#include "percal/fit/uncertainty_findings.hpp"
+#include "percal/fit/findings.hpp"
 #include "percal/math/distributions.hpp"
 
 namespace percal {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/fit/alpha_scan.hpp"
-#include "percal/fit/term_scan.hpp"
+#include "percal/fit/exponent_scan.hpp"
 
 namespace percal {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/fit/point_bootstrap.hpp"
-#include "percal/fit/uncertainty_findings.hpp"
+#include "percal/fit/findings.hpp"
 #include "percal/math/distributions.hpp"
 
 namespace percal {
@@ -15,18 +14,12 @@ constexpr double errors_refuted = 0.01;  // chance of so large a misfit below wh
 constexpr int fewest_neighbours = 8;     // pairs of points for a correlation
 
 // A robust loss counts a point as if its weight were smaller; the intervals keep what it came to at the best minimum.
-double share_kept(Loss loss, double residual_over_scale) {
-  const double r = std::abs(residual_over_scale);
-  if (loss == Loss::huber) return r > 1 ? 1 / r : 1;
-  return loss == Loss::cauchy ? 1 / (1 + r * r) : 1;
-}
-
 void weigh_as_the_loss_does(CurveProblem& problem, const CurveFit& fit) {
   if (fit.options.loss == Loss::squares || !fit.loss_scale) return;
   const double scale = *fit.loss_scale / std::sqrt(problem.objective_unit);
   for (auto& point : problem.points) {
     const double model = nominal_stress(fit.minima[0].solid, point.pair) / problem.scale;
-    point.weight *= std::sqrt(share_kept(fit.options.loss, point.weight * (point.stress - model) / scale));
+    point.weight *= std::sqrt(weight_of({fit.options.loss}, point.weight * (point.stress - model) / scale));
   }
 }
 

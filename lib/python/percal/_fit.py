@@ -54,8 +54,8 @@ class Fit:
         self.result = result
         self.model = result["model"]
         self.minima = [Minimum(entry) for entry in result["minima"]]
-        self.findings = result["findings"] + (result.get("uncertainty") or {"findings": []})["findings"]
-        self.level = result["uncertainty"]["level"] if result.get("uncertainty") else None
+        self.findings = result["findings"]
+        self.level = result["uncertainty"]["level"] if result["uncertainty"] else None
         self.stretch, self.across, self.stress = points["stretch"], points["across"], points["stress"]
         self.mode = points["mode"]
         best = self.minima[0] if self.minima else None
@@ -66,7 +66,7 @@ class Fit:
         self.converged = best.converged if best else False
 
     def _uncertainty(self):
-        about = (self.result.get("uncertainty") or {"minima": []})["minima"]
+        about = (self.result["uncertainty"] or {"minima": []})["minima"]
         return next((one for one in about if one["minimum"] == 0), None)
 
     @property

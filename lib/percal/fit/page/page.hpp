@@ -7,4 +7,7 @@ namespace percal {
 
 page::Page fit_page(const page::Json& result);
 
+// Files and columns, before anything is fitted.
+page::Page read_page(const page::Json& read);
+
 }  // namespace percal

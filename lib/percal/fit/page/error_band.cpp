@@ -1,10 +1,10 @@
 // The solid of a curve fit, its covariance, the band of its curve.                             docs/theory/curves.md
 #include <cmath>
 
-#include "percal/fit/page/parts.hpp"
+#include "percal/fit/page/sections.hpp"
 #include "percal/math/distributions.hpp"
 
-namespace percal::page {
+namespace percal::page_of_fit {
 namespace {
 
 // Standard errors of mu_1, .., mu_K and of the fitted exponents; empty where one is missing.
@@ -91,4 +91,4 @@ Mu1 mu_over_alpha(const Ogden& term, const std::optional<CurveErrors>& errors) {
   return {value, errors->student * std::sqrt(std::max(slope.dot(errors->covariance * slope), 0.0))};
 }
 
-}  // namespace percal::page
+}  // namespace percal::page_of_fit

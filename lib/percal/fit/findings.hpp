@@ -1,4 +1,4 @@
-// What the intervals of a fit mean, in sentences.
+// What a reader must know beside the numbers of a fit, a sentence each.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,7 +7,11 @@
 
 namespace percal {
 
-// Which parameter the points do not determine and over which range they reach; errors that the residuals contradict;
+// Of the fit: the sign of alpha and how well the other sign fits, a bound, a parameter that the points do not determine, a term
+// that vanishes.
+std::vector<std::string> findings(const CurveFit& fit);
+
+// Of its intervals: which parameter the points do not determine and over which range they reach; errors that the residuals contradict;
 // residuals that are no noise.
 std::vector<std::string> uncertainty_findings(const Uncertainty& uncertainty, const CurveData& data,
                                               const CurveProblem& problem, const CurveFit& fit);

@@ -1,4 +1,4 @@
-// Parts of the pages of curve fits. For the .cpp files of this folder.
+// Sections of the pages of fits, and what they share. For the .cpp files of this folder.
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -8,10 +8,12 @@
 
 #include "percal/material/hyperelastic.hpp"
 #include "percal/page/sections.hpp"
-#include "percal/units/quantity.hpp"
 
-namespace percal::page {
+namespace percal::page_of_fit {
 
+using namespace page;
+
+// --- error_band.cpp
 // The solid of an entry of `minima`.
 Hyperelastic solid_of(const Json& minimum);
 
@@ -35,6 +37,7 @@ struct Mu1 {
 };
 Mu1 mu_over_alpha(const Ogden& term, const std::optional<CurveErrors>& errors);
 
+// --- curves.cpp
 // The points of one test in a result's `data`.
 struct PagePoints {
   std::string name;
@@ -55,9 +58,21 @@ struct PageCurve {
 void add_curve_figures(Section& section, const std::vector<PageCurve>& curves, const std::string& band_words);
 Figure residual_figure(const std::vector<PageCurve>& curves, const std::string& residual);
 
-// Files, columns, SHA-256.
-Table sources_table(const Json& result);
+// --- details.cpp
+const Json& best(const Json& result);                        // minimum; null where there is none
+const Json& about(const Json& result, std::size_t minimum);  // its intervals; null where it has none
+bool has_intervals(const Json& result);
+std::string level_of(const Json& result);  // "95 % interval"
 
+Table sources_table(const Json& result);  // files, columns, SHA-256
+Section parameters_section(const Json& result);
+Section minima_section(const Json& result);
+Section stability_section(const Json& result);
+Section solids_section(const Json& result);  // of all models
+Section sources_section(const Json& result);
+Section left_out_points_section(const Json& result);
+
+// --- rate_factor.cpp
 Page rate_factor_page(const Json& result);
 
-}  // namespace percal::page
+}  // namespace percal::page_of_fit

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "percal/fit/page/parts.hpp"
+#include "percal/fit/page/sections.hpp"
 #include "percal/page/numbers.hpp"
 
-namespace percal::page {
+namespace percal::page_of_fit {
 namespace {
 
 std::string words(Deformation deformation) {
@@ -17,32 +17,23 @@ std::string words(Deformation deformation) {
   return text;
 }
 
-struct StressUnit {
-  const char* name;
-  double pascals;
-};
-StressUnit unit_for(double largest) {
-  if (largest >= 1e9) return {"GPa", 1e9};
-  if (largest >= 1e6) return {"MPa", 1e6};
-  return largest >= 1e3 ? StressUnit{"kPa", 1e3} : StressUnit{"Pa", 1};
-}
-StressUnit unit_of(const std::vector<const PageCurve*>& curves) {
+ShownUnit unit_of(const std::vector<const PageCurve*>& curves) {
   double largest = 0;
   for (const PageCurve* curve : curves)
     for (const double stress : curve->points.stress) largest = std::max(largest, std::abs(stress));
-  return unit_for(largest);
+  return pressure_unit(largest);
 }
 
 std::string amount_label(Deformation deformation) {
   return deformation == Deformation::simple_shear ? "shear gamma" : "stretch";
 }
 
-Series points_series(const PageCurve& curve, int colour, const StressUnit& unit) {
+Series points_series(const PageCurve& curve, int colour, const ShownUnit& unit) {
   const PagePoints& points = curve.points;
   const bool bars = std::any_of(points.error.begin(), points.error.end(), [](double e) { return std::isfinite(e); });
   Series drawn = series(points.name + ": points", bars ? Mark::points_with_bars : Mark::points, colour);
   for (std::size_t i = 0; i < points.stress.size(); ++i) {
-    const double stress = points.stress[i] / unit.pascals, error = points.error[i] / unit.pascals;
+    const double stress = points.stress[i] / unit.size, error = points.error[i] / unit.size;
     if (bars)
       add_bar(drawn, points.strained[i].amount, stress, stress - error, stress + error);
     else
@@ -61,12 +52,12 @@ std::pair<double, double> range_of(const PagePoints& points) {
   return {low, high};
 }
 
-void add_curve(Chart& chart, const PageCurve& curve, int colour, const StressUnit& unit) {
+void add_curve(Chart& chart, const PageCurve& curve, int colour, const ShownUnit& unit) {
   const auto [low, high] = range_of(curve.points);
   Series line = series(curve.name, Mark::line, colour), band = series("", Mark::band, colour);
   for (const double amount : spaced(low, high, 81)) {
     const Strained strained{curve.points.deformation, amount};
-    const double stress = curve.stress(strained) / unit.pascals, half = curve.half_width(strained) / unit.pascals;
+    const double stress = curve.stress(strained) / unit.size, half = curve.half_width(strained) / unit.size;
     add_point(line, amount, stress);
     if (std::isfinite(half)) add_bar(band, amount, stress, stress - half, stress + half);
   }
@@ -91,12 +82,12 @@ std::vector<PageCurve> joined(const std::vector<const PageCurve*>& curves) {
 
 Figure curve_figure(Deformation deformation, const std::vector<const PageCurve*>& curves,
                     const std::string& band_words) {
-  const StressUnit unit = unit_of(curves);
+  const ShownUnit unit = unit_of(curves);
   Figure figure;
   figure.name = "curve_" + word(deformation);
   figure.chart.title = "Nominal stress, " + words(deformation);
   figure.chart.x.label = amount_label(deformation);
-  figure.chart.y.label = std::string("nominal stress, ") + unit.name;
+  figure.chart.y.label = "nominal stress, " + unit.name;
   int colour = 0;
   if (deformation != Deformation::biaxial)
     for (const PageCurve& curve : joined(curves)) add_curve(figure.chart, curve, colour++, unit);
@@ -120,6 +111,25 @@ double residual_of(const PageCurve& curve, std::size_t i, const std::string& kin
 
 }  // namespace
 
+std::vector<PagePoints> points_of(const Json& result) {
+  std::vector<PagePoints> all;
+  for (const Json& test : list(result, "data")) {
+    PagePoints points;
+    points.name = text(test, "name");
+    points.deformation = deformation_of(text(test, "deformation")).value_or(Deformation::uniaxial);
+    const auto amount = numbers(at(test, "amount")), across = numbers(at(test, "across"));
+    points.stress = numbers(at(test, "stress_Pa"));
+    points.error = numbers(at(test, "error_Pa"));
+    points.stress.resize(amount.size(), NAN);
+    points.error.resize(amount.size(), NAN);
+    for (std::size_t i = 0; i < amount.size(); ++i)
+      points.strained.push_back(
+          {points.deformation, amount[i], i < across.size() && std::isfinite(across[i]) ? across[i] : 1});
+    all.push_back(points);
+  }
+  return all;
+}
+
 void add_curve_figures(Section& section, const std::vector<PageCurve>& curves, const std::string& band_words) {
   std::map<Deformation, std::vector<const PageCurve*>> of;
   for (const PageCurve& curve : curves) of[curve.points.deformation].push_back(&curve);
@@ -129,20 +139,20 @@ void add_curve_figures(Section& section, const std::vector<PageCurve>& curves, c
 Figure residual_figure(const std::vector<PageCurve>& curves, const std::string& kind) {
   std::vector<const PageCurve*> all;
   for (const PageCurve& curve : curves) all.push_back(&curve);
-  const StressUnit unit = kind == "absolute" ? unit_of(all) : StressUnit{"", 1};
+  const ShownUnit unit = kind == "absolute" ? unit_of(all) : ShownUnit{"", 1};
   Figure figure;
   figure.name = "residuals";
   figure.chart.title = "Residuals";
   figure.chart.x.label = "stretch (shear: gamma)";
   figure.chart.y.label = kind == "relative" ? "(stress - model)/stress, %"
                          : kind == "error"  ? "(stress - model)/standard error"
-                                            : std::string("stress - model, ") + unit.name;
+                                            : "stress - model, " + unit.name;
   double low = HUGE_VAL, high = -HUGE_VAL, squares = 0;
   int count = 0;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     Series drawn = series(curves[k].points.name, Mark::points, static_cast<int>(k) + 1);
     for (std::size_t i = 0; i < curves[k].points.stress.size(); ++i) {
-      const double residual = residual_of(curves[k], i, kind) / unit.pascals, x = curves[k].points.strained[i].amount;
+      const double residual = residual_of(curves[k], i, kind) / unit.size, x = curves[k].points.strained[i].amount;
       add_point(drawn, x, residual);
       if (!std::isfinite(residual)) continue;
       low = std::min(low, x);
@@ -166,4 +176,4 @@ Figure residual_figure(const std::vector<PageCurve>& curves, const std::string& 
   return figure;
 }
 
-}  // namespace percal::page
+}  // namespace percal::page_of_fit

@@ -1,0 +1,53 @@
+// Curve fits as they stand in result.json; page.hpp reads them.                                 docs/formats/fit.md
+#pragma once
+#include <chrono>
+#include <ctime>
+
+#include "percal/fit/compare_models.hpp"
+#include "percal/fit/rate_factor.hpp"
+#include "percal/fit/read_curves.hpp"
+#include "percal/material/stability.hpp"
+#include "percal/page/result.hpp"
+
+namespace percal {
+
+// What was asked.
+struct FitRequest {
+  std::vector<std::string> files;
+  CurveColumns columns = {};
+  CurveOptions options = {};
+  StretchRange stretches = {};                                         // over which stability is looked at
+  std::optional<UncertaintyOptions> intervals = UncertaintyOptions{};  // none: no intervals
+  bool compare = false;                                                // all models
+  std::optional<std::string> rate_column = {};  // of a rate factor: empty for a file of each rate; none: a fit
+};
+
+// What came out.
+struct FinishedFit {
+  CurveData data;
+  CurveFit fit;
+  std::optional<Uncertainty> uncertainty = {};
+  std::optional<std::vector<ComparedModel>> comparison = {};
+};
+
+// Two curves of one solid.
+struct RatePair {
+  CurveData slow, fast;
+};
+
+// Schema, version, command, input and sources: before anything is fitted.
+page::Json read_to_json(const FitRequest& request, const std::vector<CurveSource>& sources);
+
+// Every key is there, null where there is nothing; no number is infinite or NaN; units are in the names.
+page::Json fit_to_json(const FitRequest& request, const FinishedFit& found, const page::Cost& cost);
+page::Json rate_factor_to_json(const FitRequest& request, const RatePair& pair, const RateFactor& found,
+                               const page::Cost& cost);
+
+// Runs from where it is made.
+struct Stopwatch {
+  std::chrono::steady_clock::time_point wall = std::chrono::steady_clock::now();
+  std::clock_t processor = std::clock();
+  page::Cost cost() const;
+};
+
+}  // namespace percal
