@@ -99,7 +99,7 @@ class Program:
     def ask(self, *words, level=None, accepted=(0, 3)):
         """What a command answers in JSON. Exit code 3: an outcome to look at, which the answer states."""
         answer = json.loads(self.run(*words, "--json", level=level, accepted=accepted))
-        self.level, self.version = answer.get("isa", self.level), answer.get("percal", self.version)
+        self.level, self.version = (answer.get("cost") or {}).get("isa") or self.level, answer.get("percal", self.version)
         return answer
 
     def kept(self):

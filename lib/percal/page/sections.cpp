@@ -118,7 +118,7 @@ Section provenance_section(const Json& result) {
   row("processor's instruction level", text(cost, "isa"));
   row("runs done", shown(number(cost, "runs"), 9));
   row("runs taken from the store", shown(number(cost, "reused"), 9));
-  seconds("processor time of the runs", "cpu_s");
+  seconds("processor time", "cpu_s");
   seconds("time in all", "wall_s");
   seconds("budget", "budget_s");
   add(section, std::move(table));
