@@ -12,7 +12,7 @@
 #include "percal/calibrate/plots.hpp"
 #include "percal/calibrate/result_json.hpp"
 #include "percal/calibrate/result_text.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/plot/gnuplot.hpp"
 #include "percal/text/file.hpp"
 #include "percal/text/range.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "percal/base/progress.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/study/extremes_json.hpp"
 #include "percal/text/file.hpp"
 #include "studies.hpp"

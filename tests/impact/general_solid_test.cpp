@@ -6,14 +6,14 @@
 
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
-#include "percal/impact/march.hpp"
-#include "percal/impact/volumetric_law.hpp"
+#include "percal/impact/kernel/element.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {
 
 template <class Real>
-void displace_at_random(const Block<Real>& block, double amount) {
+void displace_at_random(Block<Real>& block, double amount) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-amount, amount);
   for (int i = 0; i <= block.mesh().columns(); ++i)

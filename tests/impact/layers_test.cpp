@@ -5,7 +5,7 @@
 
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "impact/element_reference.hpp"
-#include "impact/profiles.hpp"
+#include "impact/polygons.hpp"
 #include "impact/setting_s.hpp"
 #include "percal/base/version.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/text/sha256.hpp"
 
 #if defined(__GLIBC__)
@@ -67,7 +67,7 @@ Problem short_impact(Arithmetic arithmetic) {
 Problem rotating_prism() {
   Problem p = prism_impact(turned(square_on_its_corner(), 0.3));
   p.end_time = 5;
-  std::get<RigidProfile>(p.particle).free_rotation = true;
+  std::get<RigidPolygon>(p.particle).free_rotation = true;
   return p;
 }
 
@@ -75,7 +75,7 @@ Problem rotating_prism() {
 Problem cone() {
   Problem p = short_impact(Arithmetic::double_precision);
   p.end_time = 4;
-  p.particle = RigidProfile{.vertices = {{-0.3, -0.8}, {0.3, -0.8}, {1, 0.6}, {-1, 0.6}}, .mass = 8};
+  p.particle = RigidPolygon{.vertices = {{-0.3, -0.8}, {0.3, -0.8}, {1, 0.6}, {-1, 0.6}}, .mass = 8};
   return p;
 }
 
@@ -101,7 +101,7 @@ Problem elastic_particle() {
   Problem p = short_impact(Arithmetic::single_precision);
   p.end_time = 3;
   p.particle = ElasticSphere{186, 0.42};
-  p.history = History{.samples = 10};
+  p.history_samples = 10;
   return p;
 }
 

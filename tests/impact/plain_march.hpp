@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "impact/element_reference.hpp"
-#include "percal/impact/particle.hpp"
+#include "percal/impact/particle/particle.hpp"
 #include "percal/impact/settings.hpp"
 
 namespace percal {
@@ -31,7 +31,7 @@ class PlainMarch {
  public:
   explicit PlainMarch(const Problem& problem)
       : problem_(problem),
-        reference_step_(undeformed_step(reference_bulk_ratio * problem.mu())),
+        reference_step_(undeformed_step(least_bulk_ratio * problem.mu())),
         first_step_(undeformed_step(problem.bulk())),
         block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
                kernel<double>().lanes),
