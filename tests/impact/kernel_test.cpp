@@ -3,11 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+#include <utility>
+
 #include "impact/element_reference.hpp"
 #include "percal/impact/target/contents.hpp"
 
 namespace percal {
 namespace {
+
+// Who holds a const block looks and does not write.
+static_assert(!std::is_assignable_v<decltype(*std::declval<const Block<float>&>().view().u_r), float>);
+static_assert(!std::is_assignable_v<decltype(*std::declval<const Block<float>&>().far_forces().r), float>);
 
 double largest(const NodalForces& forces) {
   double size = 0;

@@ -1,5 +1,5 @@
-// The solver's bits, pinned. Evaluations are kept for ever under a key with solver_version in it: were the bits to change and the
-// version not, old depths would be served as new ones.
+// The solver's bits, pinned. Evaluations are kept for ever under a key with solver_version in it: were the bits to
+// change and the version not, old depths would be served as new ones.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>

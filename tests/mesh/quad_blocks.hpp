@@ -47,8 +47,8 @@ inline QuadBlock empty_block(int across, int along) {
   return block;
 }
 
-// From x = left (the inner side) to right, and from y = bottom (the first) to top. Neighbouring elements differ in width by
-// a factor growth_x, in height by growth_y.
+// From x = left (the inner side) to right, and from y = bottom (the first) to top. Neighbouring elements differ in
+// width by a factor growth_x, in height by growth_y.
 struct RectangleOptions {
   double left = 0, right = 1, bottom = 0, top = 1;
   int across = 10, along = 10;
@@ -64,9 +64,9 @@ inline QuadBlock rectangle(const RectangleOptions& o) {
   return block;
 }
 
-// Part of a ring: radii inner to outer, angles first to last (radians from the first axis). From 0 to pi/2 it is half of a
-// thick sphere in the (r, z) half plane above z = 0, or a quarter of a tube in the plane. `growth` is the factor between
-// the radial sizes of neighbours.
+// Part of a ring: radii inner to outer, angles first to last (radians from the first axis). From 0 to pi/2 it is half
+// of a thick sphere in the (r, z) half plane above z = 0, or a quarter of a tube in the plane. `growth` is the factor
+// between the radial sizes of neighbours.
 struct SectorOptions {
   double inner = 1, outer = 2, first_angle = 0, last_angle = 1.57079632679489661923;
   int across = 10, along = 10;

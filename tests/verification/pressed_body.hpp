@@ -90,7 +90,8 @@ struct Settling {
   double unbalance;
 };
 
-// omega^2 of the motion v: what its forces changed by in the last step over what they would have to move, Rayleigh's quotient.
+// omega^2 of the motion v: what its forces changed by in the last step over what they would have to move, Rayleigh's
+// quotient.
 inline double square_frequency(const Body& body, const std::vector<Point>& old_force, double dt) {
   double stiffness = 0, mass = 0;
   for (int n = 0; n < body.nodes(); ++n)
@@ -103,9 +104,9 @@ inline double square_frequency(const Body& body, const std::vector<Point>& old_f
   return mass > 0 ? std::max(stiffness / mass, 0.0) : 0;
 }
 
-// Moves the free nodes to where the forces on them balance to `unbalance`, and leaves them at rest. Needs pressures or held nodes that
-// have been moved. Damping follows the motion: critical for the frequency that the motion itself shows (Underwood, in
-// Computational Methods for Transient Analysis, North-Holland 1983).
+// Moves the free nodes to where the forces on them balance to `unbalance`, and leaves them at rest. Needs pressures or
+// held nodes that have been moved. Damping follows the motion: critical for the frequency that the motion itself shows
+// (Underwood, in Computational Methods for Transient Analysis, North-Holland 1983).
 inline Settling settle(PressedBody& body, double unbalance) {
   constexpr double step_factor = 0.9;  // of the stable step
   constexpr long most_steps = 200000;

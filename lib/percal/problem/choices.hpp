@@ -1,7 +1,7 @@
-// Everything that a scene may ask for and may leave out, on one page. Each is a variant with an empty alternative, or a list that
-// may be empty: what is left out has no state and costs no work. The march is compiled for each particle in each arithmetic; a
-// target that needs no more than the plain solid gets a kernel that knows no more. Dimensionless: radius, impact speed and the
-// first layer's density are 1.
+// Everything that a scene may ask for and may leave out, on one page. Each is a variant with an empty alternative, or a
+// list that may be empty: what is left out has no state and costs no work. The march is compiled for each particle in
+// each arithmetic; a target that needs no more than the plain solid gets a kernel that knows no more. Dimensionless:
+// radius, impact speed and the first layer's density are 1.
 #pragma once
 #include <array>
 #include <variant>
@@ -36,8 +36,8 @@ struct ElasticSphere {
 };
 using Particle = std::variant<RigidSphere, RigidPolygon, ElasticSphere>;
 
-// The least K/mu that is chosen where a scene gives none, and at which contact stiffness is set (impact/target/constants.hpp): with
-// more, a soft solid's depth no longer depends on K.
+// The least K/mu that is chosen where a scene gives none, and at which contact stiffness is set
+// (impact/target/constants.hpp): with more, a soft solid's depth no longer depends on K.
 inline constexpr double least_bulk_ratio = 50;
 
 // A layer below the first.

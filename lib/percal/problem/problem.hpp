@@ -41,8 +41,8 @@ struct Problem {
   double end_time = 1000;  // in radii at impact speed
 
   double speed_factor = 1;  // a replicate's speed over the scene's
-  // About so many points of the penetration history, evenly spaced in steps; 0: none. Not part of the key, for it does not change
-  // the result.
+  // About so many points of the penetration history, evenly spaced in steps; 0: none. Not part of the key, for it does
+  // not change the result.
   int history_samples = 0;
 
   double mu() const { return 1 / pi4; }

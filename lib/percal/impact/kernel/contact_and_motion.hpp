@@ -51,8 +51,8 @@ void sphere_contact(const FieldsView<const Real>& fields, const NodeForces<Real>
   }
 }
 
-// The same of a convex polygon: a node behind all sides is pushed out across the nearest one. Where two are as near, the push is
-// along the mean of their normals, so that a tip pushes straight ahead.
+// The same of a convex polygon: a node behind all sides is pushed out across the nearest one. Where two are as near,
+// the push is along the mean of their normals, so that a tip pushes straight ahead.
 template <class Real>
 void polygon_contact(const FieldsView<const Real>& fields, const NodeForces<Real>& forces, const ContactNodes& nodes,
                      const PolygonSide* sides, int side_count, double centre_x, double centre_z,

@@ -5,8 +5,9 @@
 
 namespace percal {
 
-// The nodes and elements of a block, column after column: entry i * stride + j is node or element (i, j). Owned by Block. Of
-// const Real: to look at. Motion is written by kick_and_drift (and Sweep::settle), the state of elements by internal forces.
+// The nodes and elements of a block, column after column: entry i * stride + j is node or element (i, j). Owned by
+// Block. Of const Real: to look at. Motion is written by kick_and_drift (and Sweep::settle), the state of elements by
+// internal forces.
 template <class Real>
 struct FieldsView {
   Real *u_r, *u_z;          // nodal displacements: never positions, whose rounding would heat a mesh in float

@@ -1,5 +1,5 @@
-// Keeps the penetration history: nothing at all, or about as many evenly spaced points as asked for. A point is made only where it
-// is kept, for its energies take a walk over the mesh.
+// Keeps the penetration history: nothing at all, or about as many evenly spaced points as asked for. A point is made
+// only where it is kept, for its energies take a walk over the mesh.
 #pragma once
 #include <algorithm>
 #include <cstddef>

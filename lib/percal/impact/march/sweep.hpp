@@ -1,6 +1,6 @@
-// One pass over the columns of a block: internal forces, or motion, on one or more threads. Sums are taken column by column in
-// their order, so that the bits do not depend on the number of threads. Nobody else writes to the block's fields, but for what the
-// march takes out or puts back.
+// One pass over the columns of a block: internal forces, or motion, on one or more threads. Sums are taken column by
+// column in their order, so that the bits do not depend on the number of threads. Nobody else writes to the block's
+// fields, but for what the march takes out or puts back.
 #pragma once
 #include <vector>
 

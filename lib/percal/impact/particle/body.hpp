@@ -1,6 +1,7 @@
-// A deformable body of one-point quads on an unstructured mesh, in double precision: an elastic particle, and what closed
-// forms are held against. Total Lagrangian, explicit; the solid and the viscosity are the block's (docs/theory/impact.md (2)
-// to (9)), the element is QuadForm. Any consistent units. docs/verification/closed_forms.md describes element and tests.
+// A deformable body of one-point quads on an unstructured mesh, in double precision: an elastic particle, and what
+// closed forms are held against. Total Lagrangian, explicit; the solid and the viscosity are the block's
+// (docs/theory/impact.md (2) to (9)), the element is QuadForm. Any consistent units. docs/verification/closed_forms.md
+// describes element and tests.
 #pragma once
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
-// What a block holds as it stands, in double whatever its fields are kept in: energies of its elements and nodes for the ledger,
-// states of its cells for an observer. Per radian, or per thickness.
+// What a block holds as it stands, in double whatever its fields are kept in: energies of its elements and nodes for
+// the ledger, states of its cells for an observer. Per radian, or per thickness.
 #pragma once
 #include "percal/impact/frame.hpp"
 #include "percal/impact/kernel/element.hpp"
@@ -31,7 +31,8 @@ EnergyLedger stored_energy(const Block<Real>&, const TargetSolid&, int rows);
 // In the axes that F and the first Piola stress P are given in.
 CellState cell_state(const scalar::Gradient<double>& F, const scalar::Piola<double>& P, double energy_density);
 
-// The block's nodes column by column, each from the surface downwards, and its elements in the same order: always all of them.
+// The block's nodes column by column, each from the surface downwards, and its elements in the same order: always all
+// of them.
 template <class Real>
 TargetPiece target_piece(const Block<Real>&, const TargetSolid&);
 
