@@ -177,7 +177,7 @@ TEST(Kernel, ContactPushesAlongTheRadiusAndTheSphereFeelsTheSame) {
   const Problem problem = small_problem(8.5);
   for (const auto& kernels : kernels_here()) {
     Block<double> block(problem, mesh_of(problem), 3.0, kernels.twice->lanes);
-    const auto& view = block.view();
+    const auto& view = std::as_const(block).view();
     const Rows rows{0, (block.mesh().rows + kernels.twice->lanes) / kernels.twice->lanes * kernels.twice->lanes};
     const double centre = 4.1;
     ContactReport report;

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "impact/element_reference.hpp"
@@ -53,8 +54,8 @@ class PlainMarch {
       const auto forces = all_internal_forces(kernel<double>(), block_, material_, last);
       ContactReport contact;
       for (int i = 0; i <= mesh.columns(); ++i)
-        kernel<double>().sphere_contact(block_.view(), block_.far_forces(), {i, mesh.radius[i], mesh.row_height, rows},
-                                        tip_ - 1, contact);
+        kernel<double>().sphere_contact(std::as_const(block_).view(), block_.far_forces(),
+                                        {i, mesh.radius[i], mesh.row_height, rows}, tip_ - 1, contact);
       const bool done = time >= problem_.end_time;
       double step = problem_.time_step_factor / std::max(forces.largest_inverse_step, 1 / first_step_);
       const double of_contact = 2 * reference_step_ / std::sqrt(problem_.contact_stiffness);

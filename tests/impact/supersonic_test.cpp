@@ -52,7 +52,7 @@ TEST(Supersonic, TheFasterTheDeeperInALayerThatHoldsThem) {
 TEST(Supersonic, ShockViscosityAndASmallerStepComeWithTheMachNumber) {
   Problem p = setting_s(5);
   const auto shock = [](const Problem& at) {
-    return constants(at).quadratic_viscosity >= supersonic_quadratic * supersonic_quadratic &&
+    return constants_of_layers(at).front().quadratic_viscosity >= supersonic_quadratic * supersonic_quadratic &&
            step_limits(at).time_step_factor <= supersonic_step;
   };
   p.bulk_ratio = p.pi4 - 4.0 / 3 + 0.01;
