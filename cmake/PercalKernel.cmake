@@ -1,4 +1,4 @@
-# lib/percal/impact/kernel_level.cpp is compiled once for each instruction level; impact/kernel.cpp picks one at start.
+# lib/percal/impact/kernel/kernel_level.cpp is compiled once for each instruction level; impact/kernel/kernel.cpp picks one at start.
 set(PERCAL_KERNEL_FLAGS -O3 -fno-math-errno -fno-trapping-math -Wall -Wextra -Wno-psabi)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(PERCAL_LEVELS x86_64_v2 x86_64_v3 x86_64_v4)
@@ -6,7 +6,7 @@ else()
   set(PERCAL_LEVELS generic)
 endif()
 foreach(level ${PERCAL_LEVELS})
-  add_library(percal_kernel_${level} OBJECT lib/percal/impact/kernel_level.cpp)
+  add_library(percal_kernel_${level} OBJECT lib/percal/impact/kernel/kernel_level.cpp)
   target_include_directories(percal_kernel_${level} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/lib)
   set(march "")
   if(NOT level STREQUAL generic)

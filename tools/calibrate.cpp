@@ -9,7 +9,7 @@
 #include "pages.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/page/page.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/page/figures.hpp"
 #include "percal/text/range.hpp"
 #include "percal/units/words.hpp"

@@ -14,7 +14,7 @@
 #include "percal/card/solver.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/result_json.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal::tools {

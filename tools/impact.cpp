@@ -11,7 +11,7 @@
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
 #include "percal/campaign/campaign.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/observe/penetration.hpp"
 #include "percal/observe/result_json.hpp"
 #include "percal/problem/problem.hpp"
@@ -41,7 +41,7 @@ std::vector<Evaluation> evaluate(Campaign& campaign, const Problem& problem, int
   std::vector<Problem> problems(replicates, problem);
   for (int k = 0; k < replicates; ++k) {
     problems[k].speed_factor = replicate_speed_factor(k);
-    if (k > 0) problems[k].history = NoHistory{};
+    if (k > 0) problems[k].history_samples = 0;
   }
   return campaign.evaluate(problems, &progress, observer);
 }

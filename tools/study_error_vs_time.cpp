@@ -9,7 +9,7 @@
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/plot/gnuplot.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/advice.hpp"

@@ -7,7 +7,7 @@
 
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/omissions_json.hpp"
 #include "percal/text/file.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "percal/base/version.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "studies.hpp"
 
 namespace percal::tools {

@@ -43,10 +43,10 @@ def sections(rows):
 
 HEAD = """# Closed forms
 
-Written by `docs/verification/make_closed_forms.py` from a run of tests/verification, which hold every line of it. The body is `Body` (impact/body.hpp) in double precision; its solid is the
+Written by `docs/verification/make_closed_forms.py` from a run of tests/verification, which hold every line of it. The body is `Body` (impact/particle/body.hpp) in double precision; its solid is the
 block's (docs/theory/impact.md (2), (3)). Exact values are those of data/verification where a file is named.
 
-Its element: one point, the mean of the displacement gradient over the element's volume (`QuadForm`, impact/quad_form.hpp), in axisymmetry with r in every mean, the hoop stretch included. So rigid
+Its element: one point, the mean of the displacement gradient over the element's volume (`QuadForm`, there as well), in axisymmetry with r in every mean, the hoop stretch included. So rigid
 motions and linear fields are exact on any quad. The hourglass pattern, orthogonal to all linear fields, is held by a constant elastic spring, c_hg mu/12 V sum |grad N_a|^2 with c_hg = 0.5.
 """
 

@@ -8,6 +8,6 @@
 //
 // See docs/theory/impact.md.
 #pragma once
-#include "percal/impact/kernel.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/kernel/kernel.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/impact/result.hpp"

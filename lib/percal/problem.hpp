@@ -9,7 +9,6 @@
 // See docs/theory/impact.md.
 #pragma once
 #include "percal/problem/choices.hpp"
-#include "percal/problem/left_out.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/problem/scale_job.hpp"

@@ -6,7 +6,7 @@
 #include "core.hpp"
 #include "percal/base/version.hpp"
 #include "percal/campaign/campaign.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/observe/penetration.hpp"
 #include "percal/observe/result_json.hpp"
 #include "percal/problem/problem.hpp"
@@ -25,7 +25,7 @@ std::vector<Problem> replicates_of(const Scene& scene, const Problem& problem) {
   std::vector<Problem> problems(scene.replicates, problem);
   for (int k = 0; k < scene.replicates; ++k) {
     problems[k].speed_factor = replicate_speed_factor(k);
-    if (k > 0) problems[k].history = NoHistory{};
+    if (k > 0) problems[k].history_samples = 0;
   }
   return problems;
 }

@@ -10,7 +10,7 @@
 #include "percal/calibrate/page/page.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/result_json.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/problem/scale_job.hpp"
 #include "percal/problem/similar_scene.hpp"
 #include "percal/scene/scene_toml.hpp"

@@ -22,8 +22,8 @@
 #include "bench/machine_peak.hpp"
 #include "bench/phase_sampler.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/kernel.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/kernel/kernel.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -81,7 +81,7 @@ TEST_F(CampaignTest, AHistoryIsRunThoughTheStoreHasTheProblem) {
   Campaign campaign(store.get(), 1);
   campaign.evaluate(quick());
   Problem with_history = quick();
-  with_history.history = History{};
+  with_history.history_samples = 400;
   const Evaluation run = campaign.evaluate(with_history);
   EXPECT_FALSE(run.reused);
   EXPECT_FALSE(run.result.history.empty());
@@ -99,7 +99,7 @@ TEST_F(CampaignTest, TheSameProblemTwiceInABatchIsRunOnce) {
 
 TEST(Campaign, ATwinWithoutAHistoryDoesNotTakeTheOthersAway) {
   Problem with_history = quick();
-  with_history.history = History{};
+  with_history.history_samples = 400;
   Campaign campaign(nullptr, 1);
   const auto results = campaign.evaluate({quick(), with_history}, nullptr);
   EXPECT_FALSE(results[1].result.history.empty());

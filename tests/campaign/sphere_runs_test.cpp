@@ -7,7 +7,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/campaign/campaign.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {

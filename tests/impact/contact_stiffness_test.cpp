@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "impact/setting_s.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/math/statistics.hpp"
 
 namespace percal {

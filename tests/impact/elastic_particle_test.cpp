@@ -6,10 +6,10 @@
 
 #include "impact/impulse.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/constants.hpp"
-#include "percal/impact/elastic_sphere.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
+#include "percal/impact/particle/elastic_sphere.hpp"
 #include "percal/impact/settings.hpp"
+#include "percal/impact/target/constants.hpp"
 #include "percal/math/statistics.hpp"
 
 namespace percal {
@@ -190,7 +190,7 @@ TEST(ElasticParticle, EnergyCloses) {
 
 TEST(ElasticParticle, TheForceReportedIsWhatSlowsIt) {
   Problem p = with_elastic(dent(), 186);
-  p.history = History{.samples = 100000};
+  p.history_samples = 100000;
   const ImpactResult result = run_impact(p);
   const double impulse = impulse_of(result.history);
   EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 2e-3 * impulse);

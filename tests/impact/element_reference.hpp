@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "percal/impact/constants.hpp"
-#include "percal/impact/element.hpp"
-#include "percal/impact/kernel.hpp"
-#include "percal/impact/state.hpp"
+#include "percal/impact/kernel/element.hpp"
+#include "percal/impact/kernel/kernel.hpp"
+#include "percal/impact/target/block.hpp"
+#include "percal/impact/target/constants.hpp"
 
 #if defined(__x86_64__)
 namespace percal::x86_64_v2 {
@@ -151,7 +151,7 @@ inline MaterialConstants constants_of(const Problem& p) {
 // Displaces every node by up to `amount` row heights in each direction (the axis along itself only). The numbers drawn fit a
 // float, so that blocks of both kinds stand in the same place.
 template <class Real>
-void displace(const Block<Real>& block, double amount, unsigned seed) {
+void displace(Block<Real>& block, double amount, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto& view = block.view();
@@ -166,7 +166,7 @@ void displace(const Block<Real>& block, double amount, unsigned seed) {
 
 // Where the kernel puts the forces of one column of elements, when the columns are taken from the first to the last.
 template <class Real>
-ColumnForces<Real> column_forces(const Block<Real>& block, int column) {
+ColumnForces<Real> column_forces(Block<Real>& block, int column) {
   const auto& forces = block.far_forces();
   const long inner = block.at(column, 0), outer = block.at(column + 1, 0);
   return {forces.r + inner, forces.z + inner, forces.r + outer, forces.z + outer, column == 0};
@@ -174,8 +174,8 @@ ColumnForces<Real> column_forces(const Block<Real>& block, int column) {
 
 // Runs the kernel over one column of elements; earlier columns must have been run.
 template <class Real>
-void column_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block, int column,
-                            const MaterialConstants& m, double previous_step, ColumnReport& report) {
+void column_internal_forces(const Kernel<Real>& kernel, Block<Real>& block, int column, const MaterialConstants& m,
+                            double previous_step, ColumnReport& report) {
   const int groups = (block.mesh().rows + kernel.lanes - 1) / kernel.lanes;
   std::vector<unsigned char> flags(groups);
   kernel.internal_forces(block.view(), column_forces(block, column), column, {0, groups * kernel.lanes},
@@ -184,7 +184,7 @@ void column_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block
 
 // Over the whole block: the forces are in block.far_forces().
 template <class Real>
-ColumnReport all_internal_forces(const Kernel<Real>& kernel, const Block<Real>& block, const MaterialConstants& m,
+ColumnReport all_internal_forces(const Kernel<Real>& kernel, Block<Real>& block, const MaterialConstants& m,
                                  double previous_step) {
   ColumnReport report;
   for (int i = 0; i < block.mesh().columns(); ++i) column_internal_forces(kernel, block, i, m, previous_step, report);

@@ -1,5 +1,5 @@
 // The element's stress at given deformations against closed forms written with pow, in double.
-#include "percal/impact/element.hpp"
+#include "percal/impact/kernel/element.hpp"
 
 #include <gtest/gtest.h>
 

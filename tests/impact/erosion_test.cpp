@@ -7,7 +7,7 @@
 
 #include "impact/element_reference.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "impact/profiles.hpp"
+#include "impact/polygons.hpp"
 #include "impact/same_bits.hpp"
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {
@@ -33,7 +33,7 @@ Problem elastic_dent() {
 }
 Problem short_prism() {
   Problem p = prism_impact(square_on_its_corner());
-  std::get<RigidProfile>(p.particle).free_rotation = true;
+  std::get<RigidPolygon>(p.particle).free_rotation = true;
   p.end_time = 4;
   return p;
 }
@@ -137,7 +137,7 @@ TEST(Frames, LookingChangesNoBit) {
     same_bits(run_impact(problem, watcher), alone);
     EXPECT_GT(watcher.frames.size(), 10u);
     Problem with_history = problem;
-    with_history.history = History{};
+    with_history.history_samples = 400;
     Watcher other(13);
     same_bits(run_impact(with_history, other), alone);
   }
@@ -181,10 +181,10 @@ TEST(Frames, TheLastIsWhatTheResultTells) {
 
 TEST(Frames, EnergyDensitiesOverTheVolumeAreTheLedgersElasticShare) {
   for (Problem p : all_kinds()) {
-    p.history = History{.samples = 1000000};
+    p.history_samples = 1000000;
     Watcher watcher(40);
     const ImpactResult result = run_impact(p, watcher);
-    const double mass = std::holds_alternative<RigidProfile>(p.particle) ? std::get<RigidProfile>(p.particle).mass
+    const double mass = std::holds_alternative<RigidPolygon>(p.particle) ? std::get<RigidPolygon>(p.particle).mass
                                                                          : 2.0 / 3 * p.density_ratio;
     ASSERT_GT(watcher.frames.size(), 2u);
     for (const Frame& frame : watcher.frames) {
@@ -212,7 +212,7 @@ TEST(ParticlePiece, AnElasticSpheresDisplacementsAndStatesAreItsBodys) {
   for (const CellState& state : first.states) EXPECT_NEAR(state.stretches[0], 1, 1e-6);
 }
 
-TEST(ParticlePiece, ARigidProfileIsMovedAndTurnedAndOfAHalfModelOnlyTheRightHalfIsShown) {
+TEST(ParticlePiece, ARigidPolygonIsMovedAndTurnedAndOfAHalfModelOnlyTheRightHalfIsShown) {
   Watcher watcher(60);
   const ImpactResult result = run_impact(short_prism(), watcher);
   const ParticlePiece &first = watcher.frames.front().particle, &last = watcher.frames.back().particle;
@@ -226,7 +226,7 @@ TEST(ParticlePiece, ARigidProfileIsMovedAndTurnedAndOfAHalfModelOnlyTheRightHalf
 
   Problem half = short_prism();
   half.whole = false;
-  std::get<RigidProfile>(half.particle).free_rotation = false;
+  std::get<RigidPolygon>(half.particle).free_rotation = false;
   Watcher of_half(60);
   run_impact(half, of_half);
   const ParticlePiece& piece = of_half.frames.front().particle;
@@ -239,7 +239,7 @@ TEST(ParticlePiece, ARigidProfileIsMovedAndTurnedAndOfAHalfModelOnlyTheRightHalf
 
 TEST(History, EnergiesCloseAtEveryPointAsAtTheEnd) {
   for (Problem p : all_kinds()) {
-    p.history = History{};
+    p.history_samples = 400;
     const ImpactResult result = run_impact(p);
     double worst = 0;
     for (const HistoryPoint& point : result.history) worst = std::max(worst, std::abs(point.energy.closure()));

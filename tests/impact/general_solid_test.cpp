@@ -6,14 +6,14 @@
 
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
-#include "percal/impact/march.hpp"
-#include "percal/impact/volumetric_law.hpp"
+#include "percal/impact/kernel/element.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {
 
 template <class Real>
-void displace_at_random(const Block<Real>& block, double amount) {
+void displace_at_random(Block<Real>& block, double amount) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-amount, amount);
   for (int i = 0; i <= block.mesh().columns(); ++i)
@@ -205,7 +205,7 @@ TEST(VolumetricLaw, TheLastWorkIsThatOfTheLawsOwnStress) {
     const double l = 1.4, step = 0.01;
     specimen.stretch(1, l);
     specimen.look(0);
-    const auto& block = specimen.block;
+    auto& block = specimen.block;
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j) block.view().v_z[block.at(i, j)] = j * block.mesh().row_height;
     const double volume = block.shapes()[1].width * block.shapes()[1].height;
@@ -219,7 +219,7 @@ TEST(HourglassViscosity, TheModeLosesTheShareThatItsCoefficientSays) {
   p.hourglass_form = HourglassForm::viscosity;
   p.hourglass = 0.1;
   Specimen<> specimen(p);
-  const auto& block = specimen.block;
+  auto& block = specimen.block;
   const double amplitude = 1e-6;
   for (int i = 0; i <= block.mesh().columns(); ++i)
     for (int j = 0; j <= block.mesh().rows; ++j)
@@ -237,7 +237,7 @@ TEST(HourglassViscosity, AnElementThatGoesDoesHalfTheWorkOfItsLastStep) {
   p.hourglass_form = HourglassForm::viscosity;
   p.erosion = StrainErosion{0.3};
   Specimen<> specimen(p);
-  const auto& block = specimen.block;
+  auto& block = specimen.block;
   for (int i = 0; i <= block.mesh().columns(); ++i)
     for (int j = 0; j <= block.mesh().rows; ++j) block.view().v_z[block.at(i, j)] = (i + j) % 2 ? -1 : 1;
   specimen.look(0.01);

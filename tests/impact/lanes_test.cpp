@@ -1,5 +1,5 @@
 // log2 and exp2 on scalars and lanes against libm in long double, over the ranges that the header promises.
-#include "percal/impact/lanes.hpp"
+#include "percal/impact/kernel/lanes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {
@@ -133,14 +133,14 @@ TEST(Layers, OneWithAnInfiniteLimitDoesNotErode) {
 class Column {
  public:
   explicit Column(const Problem& problem) : specimen(problem) {
-    const auto& block = specimen.block;
+    auto& block = specimen.block;
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j)
         block.view().inverse_mass[block.at(i, j)] = 1 / block.mass(i, j);  // the wall lets go too
   }
   // Amplitude of velocity of a pulse that runs downwards at this speed.
   void start(double centre, double width, double amplitude, double speed, double step) {
-    const auto& block = specimen.block;
+    auto& block = specimen.block;
     const auto bump = [&](double z) { return std::exp(-std::pow((z - centre) / width, 2)); };
     const auto integral = [&](double z) {
       return width * std::sqrt(std::acos(-1.0)) / 2 * std::erf((z - centre) / width);
@@ -153,7 +153,7 @@ class Column {
       }
   }
   void advance(int steps, double step) {
-    const auto& block = specimen.block;
+    auto& block = specimen.block;
     const int end = (block.mesh().rows + kernel<double>().lanes) / kernel<double>().lanes * kernel<double>().lanes;
     for (int n = 0; n < steps; ++n) {
       specimen.look(step);

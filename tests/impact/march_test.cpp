@@ -1,4 +1,4 @@
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include "impact/impulse.hpp"
 #include "impact/same_bits.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/recorder.hpp"
+#include "percal/impact/march/recorder.hpp"
 
 namespace percal {
 namespace {
@@ -17,7 +17,7 @@ TEST(March, TheSameProblemGivesTheSameBits) { same_bits(run_impact(setting_s(5))
 TEST(March, AHistoryChangesNoBit) {
   Problem p = setting_s(5);
   const ImpactResult without = run_impact(p);
-  p.history = History{};
+  p.history_samples = 400;
   same_bits(run_impact(p), without);
   EXPECT_TRUE(without.history.empty());
 }
@@ -201,7 +201,7 @@ TEST(March, TheDepthFallsWithTheModulus) {
 
 TEST(History, StartsAtTheImpactSpeedAndEndsAtTheDepth) {
   Problem p = setting_s(5);
-  p.history = History{};
+  p.history_samples = 400;
   p.speed_factor = 1.001;
   const ImpactResult result = run_impact(p);
   ASSERT_GE(result.history.size(), 400u);
@@ -217,14 +217,14 @@ TEST(History, StartsAtTheImpactSpeedAndEndsAtTheDepth) {
 
 TEST(History, KeepsEvenlySpacedPointsHoweverLongTheRun) {
   for (const int steps : {50, 399, 1000, 123456}) {
-    const long first_stride = usual_steps / 100;
-    Recorder<History> recorder(History{.samples = 100});
+    const long first_stride = Recorder::usual_steps / 100;
+    Recorder recorder(100);
     int made = 0;
     for (int step = 0; step < steps; ++step)
-      recorder.record([&] {
+      if (recorder.is_due()) {
         ++made;
-        return HistoryPoint{.time = static_cast<double>(step), .tip = 0, .speed = 0, .force = 0};
-      });
+        recorder.keep({.time = static_cast<double>(step), .tip = 0, .speed = 0, .force = 0});
+      }
     const auto points = recorder.take();
     EXPECT_LE(made, 200 + 100 * std::max(0.0, std::log2(steps / 1600.0))) << "a point is made only to be kept";
     EXPECT_GE(points.size(), static_cast<std::size_t>(std::min(steps / first_stride, 100L)));
@@ -238,7 +238,7 @@ TEST(History, KeepsEvenlySpacedPointsHoweverLongTheRun) {
 // The force is what slows the sphere: its mass is (2/3) rho_p/rho_t per radian.
 TEST(History, TheForcesImpulseIsTheSpeedLost) {
   Problem p = dent();
-  p.history = History{.samples = 100000};
+  p.history_samples = 100000;
   const ImpactResult result = run_impact(p);
   const double impulse = impulse_of(result.history);
   EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 1e-3 * impulse);

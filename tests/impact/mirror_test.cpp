@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "impact/profiles.hpp"
+#include "impact/polygons.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {
@@ -31,7 +31,7 @@ TEST(Mirror, ASkewRhombusThatIsFreeToTurnHasMirroredBits) {
       for (const int threads : {1, 3}) {
         SCOPED_TRACE(testing::Message() << rates << " rates, " << threads << " threads");
         Problem p = prism_impact(parallelogram({1, 0.3}, {-0.2, 0.8}));
-        auto& profile = std::get<RigidProfile>(p.particle);
+        auto& profile = std::get<RigidPolygon>(p.particle);
         profile.free_rotation = true;
         p.arithmetic = arithmetic;
         p.rates = rates;
@@ -48,7 +48,7 @@ TEST(Mirror, ASkewRhombusThatIsFreeToTurnHasMirroredBits) {
 
 TEST(Mirror, ASymmetricProfileThatIsFreeGoesStraightDown) {
   Problem p = prism_impact(square_on_its_corner());
-  std::get<RigidProfile>(p.particle).free_rotation = true;
+  std::get<RigidPolygon>(p.particle).free_rotation = true;
   const ImpactResult result = run_impact(p);
   EXPECT_GT(result.depth, 2);
   EXPECT_EQ(result.sideways, 0);

@@ -5,7 +5,7 @@
 
 #include "impact/plain_march.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {

@@ -3,10 +3,11 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "impact/element_reference.hpp"
-#include "percal/impact/particle.hpp"
+#include "percal/impact/particle/particle.hpp"
 #include "percal/impact/settings.hpp"
 
 namespace percal {
@@ -31,7 +32,7 @@ class PlainMarch {
  public:
   explicit PlainMarch(const Problem& problem)
       : problem_(problem),
-        reference_step_(undeformed_step(reference_bulk_ratio * problem.mu())),
+        reference_step_(undeformed_step(least_bulk_ratio * problem.mu())),
         first_step_(undeformed_step(problem.bulk())),
         block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
                kernel<double>().lanes),
@@ -53,8 +54,8 @@ class PlainMarch {
       const auto forces = all_internal_forces(kernel<double>(), block_, material_, last);
       ContactReport contact;
       for (int i = 0; i <= mesh.columns(); ++i)
-        kernel<double>().sphere_contact(block_.view(), block_.far_forces(), {i, mesh.radius[i], mesh.row_height, rows},
-                                        tip_ - 1, contact);
+        kernel<double>().sphere_contact(std::as_const(block_).view(), block_.far_forces(),
+                                        {i, mesh.radius[i], mesh.row_height, rows}, tip_ - 1, contact);
       const bool done = time >= problem_.end_time;
       double step = problem_.time_step_factor / std::max(forces.largest_inverse_step, 1 / first_step_);
       const double of_contact = 2 * reference_step_ / std::sqrt(problem_.contact_stiffness);

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "impact/setting_s.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/math/statistics.hpp"
 
 namespace percal {

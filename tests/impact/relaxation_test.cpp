@@ -3,7 +3,7 @@
 
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {
@@ -120,7 +120,7 @@ TEST(Relaxation, TheStableStepFollowsTheStressThatIsLeft) {
 TEST(Relaxation, ARigidRotationLeavesTheStressAsItIs) {
   const Problem p = relaxing({{0.5, 0.7}});
   Specimen<> straight(p), turned(p);
-  const auto turn = [](const Block<double>& block, double angle) {
+  const auto turn = [](Block<double>& block, double angle) {
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j) {
         const long n = block.at(i, j);

@@ -3,9 +3,8 @@
 #pragma once
 #include <cmath>
 
-#include "percal/impact/constants.hpp"
-#include "percal/impact/ledger.hpp"
-#include "percal/impact/target_solid.hpp"
+#include "percal/impact/target/constants.hpp"
+#include "percal/impact/target/contents.hpp"
 
 namespace percal {
 

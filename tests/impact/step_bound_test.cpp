@@ -10,7 +10,7 @@
 #include <optional>
 #include <random>
 
-#include "percal/impact/element.hpp"
+#include "percal/impact/kernel/element.hpp"
 #include "percal/problem/problem.hpp"
 
 namespace percal {

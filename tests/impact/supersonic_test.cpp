@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "impact/setting_s.hpp"
-#include "percal/impact/constants.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/impact/settings.hpp"
+#include "percal/impact/target/constants.hpp"
 
 namespace percal {
 namespace {
@@ -52,7 +52,7 @@ TEST(Supersonic, TheFasterTheDeeperInALayerThatHoldsThem) {
 TEST(Supersonic, ShockViscosityAndASmallerStepComeWithTheMachNumber) {
   Problem p = setting_s(5);
   const auto shock = [](const Problem& at) {
-    return constants(at).quadratic_viscosity >= supersonic_quadratic * supersonic_quadratic &&
+    return constants_of_layers(at).front().quadratic_viscosity >= supersonic_quadratic * supersonic_quadratic &&
            step_limits(at).time_step_factor <= supersonic_step;
   };
   p.bulk_ratio = p.pi4 - 4.0 / 3 + 0.01;
@@ -64,10 +64,10 @@ TEST(Supersonic, ShockViscosityAndASmallerStepComeWithTheMachNumber) {
   p.bulk_ratio = p.pi4 - 4.0 / 3 - 0.01;
   EXPECT_GT(mach_number(p), 1);
   EXPECT_TRUE(shock(p));
-  EXPECT_EQ(constants(p).bulk, p.bulk()) << "K stays as given";
+  EXPECT_EQ(constants_of_layers(p).front().bulk, p.bulk()) << "K stays as given";
   p.quadratic_viscosity = 3;
   p.time_step_factor = 0.2;
-  EXPECT_EQ(constants(p).quadratic_viscosity, 9) << "more viscosity is kept";
+  EXPECT_EQ(constants_of_layers(p).front().quadratic_viscosity, 9) << "more viscosity is kept";
   EXPECT_EQ(step_limits(p).time_step_factor, 0.2) << "and a smaller step";
 }
 

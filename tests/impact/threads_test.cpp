@@ -3,7 +3,7 @@
 
 #include "impact/same_bits.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 
 namespace percal {
 namespace {

@@ -28,6 +28,9 @@ MAY_SEE = {
     "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot", "page"],
 }
 
+# Rooms of a layer, in their order: a file includes rooms up to its own; one that lies beside them, none.
+ROOMS = {"impact": ["kernel", "target", "particle", "march"]}
+
 
 def cycle(table):
     """The layers that cannot be ordered; empty when the table is sound."""
@@ -38,6 +41,11 @@ def cycle(table):
             return sorted(todo)
         for layer in free:
             del todo[layer]
+
+
+def rooms_up_to(parts):
+    rooms = ROOMS[parts[0]]
+    return rooms[:rooms.index(parts[1]) + 1] if parts[1] in rooms else []
 
 
 def violations(root):
@@ -51,6 +59,9 @@ def violations(root):
             found = re.match(r'\s*#\s*include\s+["<]percal/([a-z_]+)[/.]', line)
             if found and found[1] != layer and (len(parts) == 1 or found[1] not in MAY_SEE[layer]):
                 yield f"{file}:{number}: {layer} may not include {found[1]}"
+            room = re.match(rf'\s*#\s*include\s+"percal/{layer}/([a-z_]+)/', line)
+            if room and layer in ROOMS and len(parts) > 1 and room[1] not in rooms_up_to(parts):
+                yield f"{file}:{number}: may not include the room {layer}/{room[1]}"
 
 
 def without_header(root):

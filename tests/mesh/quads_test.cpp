@@ -1,11 +1,11 @@
-#include "percal/mesh/quads.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
+
+#include "mesh/quad_blocks.hpp"
 
 namespace percal {
 namespace {

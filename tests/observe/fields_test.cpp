@@ -11,7 +11,7 @@
 #include "impact/setting_s.hpp"
 #include "observe/vtu_reader.hpp"
 #include "percal/base/error.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "impact/profiles.hpp"
+#include "impact/polygons.hpp"
 #include "impact/setting_s.hpp"
 #include "percal/base/error.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/plot/gnuplot.hpp"
 
 namespace percal {

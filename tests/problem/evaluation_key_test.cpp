@@ -23,7 +23,7 @@ std::string key(const Problem& problem) { return evaluation_key(problem, "level"
 std::map<std::string, std::function<void(Problem&)>> changes() {
   const auto profile = [](auto change) {
     return [change](Problem& p) {
-      RigidProfile shape{.vertices = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}}, .mass = 2, .inertia = 0.5};
+      RigidPolygon shape{.vertices = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}}, .mass = 2, .inertia = 0.5};
       change(shape);
       p.particle = shape;
     };
@@ -71,12 +71,12 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
        [](Problem& p) {
          p.particle = ElasticSphere{100, 0.31};
        }},
-      {"profile", profile([](RigidProfile&) {})},
-      {"profile, a corner", profile([](RigidProfile& shape) { shape.vertices[2][1] += 1e-11; })},
-      {"profile, a corner less", profile([](RigidProfile& shape) { shape.vertices.pop_back(); })},
-      {"profile, mass", profile([](RigidProfile& shape) { shape.mass = 2.1; })},
-      {"profile, inertia", profile([](RigidProfile& shape) { shape.inertia = 0.51; })},
-      {"profile, turning", profile([](RigidProfile& shape) { shape.free_rotation = true; })},
+      {"profile", profile([](RigidPolygon&) {})},
+      {"profile, a corner", profile([](RigidPolygon& shape) { shape.vertices[2][1] += 1e-11; })},
+      {"profile, a corner less", profile([](RigidPolygon& shape) { shape.vertices.pop_back(); })},
+      {"profile, mass", profile([](RigidPolygon& shape) { shape.mass = 2.1; })},
+      {"profile, inertia", profile([](RigidPolygon& shape) { shape.inertia = 0.51; })},
+      {"profile, turning", profile([](RigidPolygon& shape) { shape.free_rotation = true; })},
       {"layer", layer([](LowerLayer&) {})},
       {"layer, depth", layer([](LowerLayer& below) { below.depth = 11; })},
       {"layer, density", layer([](LowerLayer& below) { below.density = 1.2; })},
@@ -122,7 +122,7 @@ TEST(EvaluationKey, EveryNumberThatDecidesTheResultChangesIt) {
 
 TEST(EvaluationKey, AHistoryDoesNotChangeIt) {
   Problem problem = plainest();
-  problem.history = History{};
+  problem.history_samples = 400;
   EXPECT_EQ(key(problem), key(plainest()));
 }
 

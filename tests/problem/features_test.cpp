@@ -43,14 +43,14 @@ const std::string thesis_rhombus =
 const std::string thesis_square =
     "shape = \"rhombus\"\nside = \"5.83 mm\"\ntip_angle = \"90 deg\"\nmass = \"0.7509 g\"\nthickness = \"2.90 mm\"\n";
 
-RigidProfile profile_of(const Problem& problem) { return std::get<RigidProfile>(problem.particle); }
+RigidPolygon profile_of(const Problem& problem) { return std::get<RigidPolygon>(problem.particle); }
 std::string key(const Scene& scene) { return evaluation_key(reduce(scene).problem, "level"); }
 
 TEST(Profile, TheThesisRhombusHasItsClosedForms) {
   const Scene scene = scene_of(thesis_rhombus);
   EXPECT_NEAR(scene.particle.radius, 3e-3, 1e-17) << "half of 6 mm, since both triangles are equilateral";
   const Problem p = reduce(scene).problem;
-  const RigidProfile rhombus = profile_of(p);
+  const RigidPolygon rhombus = profile_of(p);
   const double q = std::sqrt(3);  // half height over half width
   ASSERT_EQ(rhombus.vertices.size(), 4u);
   EXPECT_EQ(rhombus.vertices[0][0], 0);
@@ -69,7 +69,7 @@ TEST(Profile, TheThesisSquareHasItsClosedForms) {
   const Scene scene = scene_of(thesis_square);
   const double half = 5.83e-3 / std::sqrt(2);
   EXPECT_NEAR(scene.particle.radius, half, 1e-17);
-  const RigidProfile square = profile_of(reduce(scene).problem);
+  const RigidPolygon square = profile_of(reduce(scene).problem);
   const double mass = 0.7509e-3 / 2.90e-3 / (464 * half * half);
   EXPECT_NEAR(square.mass, mass, 1e-9);
   EXPECT_NEAR(square.inertia, mass * 2 / 6, 1e-9) << "m s^2/6 with s^2 = 2";
@@ -111,7 +111,7 @@ TEST(Profile, WhatIsNotItsOwnMirrorImageOrMayTurnIsComputedWhole) {
 }
 
 TEST(Profile, OneThatMirrorsAnotherHasMirroredBits) {
-  const RigidProfile left = profile_of(reduce(scene_of(thesis_rhombus + "orientation = \"20 deg\"\n")).problem),
+  const RigidPolygon left = profile_of(reduce(scene_of(thesis_rhombus + "orientation = \"20 deg\"\n")).problem),
                      right = profile_of(reduce(scene_of(thesis_rhombus + "orientation = \"-20 deg\"\n")).problem);
   ASSERT_EQ(left.vertices.size(), right.vertices.size());
   for (std::size_t i = 0; i < left.vertices.size(); ++i) {
@@ -122,7 +122,7 @@ TEST(Profile, OneThatMirrorsAnotherHasMirroredBits) {
 }
 
 TEST(Profile, OneThatIsSymmetricToATenthOfItsToleranceIsSoToTheLastBit) {
-  const RigidProfile profile = profile_of(
+  const RigidPolygon profile = profile_of(
       reduce(scene_of("shape = \"profile\"\ndensity = \"7 t/m3\"\nvertices = [[\"-1 mm\", \"0 mm\"], [\"1.0000000002 "
                       "mm\", \"0 mm\"], "
                       "[\"3 mm\", \"5 mm\"], [\"0.0000000003 mm\", \"7 mm\"], [\"-3 mm\", \"5.0000000004 mm\"]]\n"))
@@ -138,7 +138,7 @@ TEST(Profile, AConeHasItsClosedFormsPerRadian) {
                       "axisymmetric"))
           .problem;
   const double height = std::sqrt(3), mass = 2 * height / 6;
-  const RigidProfile cone = profile_of(p);
+  const RigidPolygon cone = profile_of(p);
   EXPECT_NEAR(cone.mass, mass, 1e-11);
   EXPECT_NEAR(cone.inertia, 3.0 / 80 * mass * (4 + height * height), 1e-11);
   ASSERT_EQ(cone.vertices.size(), 3u);
@@ -160,12 +160,12 @@ TEST(Profile, AConeByItsMassByItsDensityAndByItsHalfMeridianIsOneProblem) {
 }
 
 TEST(Profile, EveryNumberOfItHasTwelveDigitsAndNoNegativeZero) {
-  const RigidProfile profile = profile_of(reduce(scene_of(thesis_rhombus + "orientation = \"17 deg\"\n")).problem);
+  const RigidPolygon profile = profile_of(reduce(scene_of(thesis_rhombus + "orientation = \"17 deg\"\n")).problem);
   for (const auto& [x, y] : profile.vertices)
     for (const double number : {x, y}) EXPECT_EQ(number, round_to_12_digits(number));
   EXPECT_EQ(profile.mass, round_to_12_digits(profile.mass));
   EXPECT_EQ(profile.inertia, round_to_12_digits(profile.inertia));
-  const RigidProfile square = profile_of(reduce(scene_of(thesis_square)).problem);
+  const RigidPolygon square = profile_of(reduce(scene_of(thesis_square)).problem);
   for (const auto& [x, y] : square.vertices) EXPECT_FALSE((x == 0 && std::signbit(x)) || (y == 0 && std::signbit(y)));
 }
 
@@ -318,7 +318,7 @@ TEST(LeftOut, NamesOnlyWhatTheSceneDoesNotHave) {
 
 TEST(LeftOut, AProfileOfSoftMaterialStaysRigidWithAWarning) {
   const Reduction reduction = reduce(scene_of(thesis_square + "youngs_modulus = \"10 MPa\"\n"));
-  EXPECT_TRUE(std::holds_alternative<RigidProfile>(reduction.problem.particle));
+  EXPECT_TRUE(std::holds_alternative<RigidPolygon>(reduction.problem.particle));
   EXPECT_THAT(reduction.left_out.front().why, HasSubstr("only a sphere in an axisymmetric scene can be elastic"));
   EXPECT_THAT(reduction.warnings, ElementsAre(HasSubstr("may matter")));
 }

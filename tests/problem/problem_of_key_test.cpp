@@ -76,7 +76,7 @@ TEST(ProblemOfKey, WhatItDoesNotKnowIsRefused) {
   };
   EXPECT_FALSE(refused([](Problem&) {}));
   EXPECT_TRUE(refused([](Problem& p) { p.particle = ElasticSphere{100, 0.3}; }));
-  EXPECT_TRUE(refused([](Problem& p) { p.particle = RigidProfile{.vertices = {{0, -1}, {1, 0}, {0, 1}}, .mass = 2}; }));
+  EXPECT_TRUE(refused([](Problem& p) { p.particle = RigidPolygon{.vertices = {{0, -1}, {1, 0}, {0, 1}}, .mass = 2}; }));
   EXPECT_TRUE(refused([](Problem& p) { p.below = {LowerLayer{.depth = 10, .mu = 1}}; }));
   EXPECT_TRUE(refused([](Problem& p) { p.relaxation = PronySeries{{{0.3, 2}}}; }));
 }

@@ -1,7 +1,7 @@
 // Similar systems through the solver: not only one key, but the same bits.
 #include <gtest/gtest.h>
 
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/scene_toml.hpp"
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "percal/campaign/campaign.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/study/extremes_json.hpp"
 
 namespace percal {

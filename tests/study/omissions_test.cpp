@@ -230,7 +230,7 @@ TEST(Omissions, WhatASceneCannotHaveIsSkippedWithTheReason) {
   const auto elastic = std::ranges::find(prism.skipped, "elastic particle", &SkippedVariant::name);
   ASSERT_NE(elastic, prism.skipped.end());
   EXPECT_THAT(elastic->why, HasSubstr("only a sphere in an axisymmetric scene can be elastic"));
-  EXPECT_TRUE(std::get<RigidProfile>(reduce(named(prism, "rotation").variant.scene).problem.particle).free_rotation);
+  EXPECT_TRUE(std::get<RigidPolygon>(reduce(named(prism, "rotation").variant.scene).problem.particle).free_rotation);
   EXPECT_TRUE(reduce(named(prism, "second half").variant.scene).problem.whole);
 }
 

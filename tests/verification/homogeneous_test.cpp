@@ -147,7 +147,7 @@ TEST(Homogeneous, APressureBalancesADilatationAtEveryNodeOfItsSurface) {
       Disc made = ball ? half_disc(5) : disc(5);
       if (!ball) made.boundary.push_back(made.boundary.front());
       const BodySolid solid{.mu = 1.3, .bulk = 4, .alpha = 8.5};
-      Body body(made.mesh, geometry, solid);
+      PressedBody body(made.mesh, geometry, solid);
       const Matrix3d F = gradient_of(lambda, 0, 0, lambda, ball ? lambda : 1);
       const double sigma = (closed_form(solid, F) * F.transpose())(0, 0) / F.determinant();
       body.press(made.boundary, -sigma);

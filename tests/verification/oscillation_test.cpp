@@ -11,7 +11,7 @@ struct Swing {
 // The inner radius passes the middle of its way upwards, downwards, upwards: the first and the third are a period apart.
 Swing swing(Shell shell, const ShellMesh& mesh, const BodySolid& solid, double pressure, double middle, double time) {
   ShellBody shell_body(shell, mesh, solid);
-  Body& body = shell_body.body;
+  PressedBody& body = shell_body.body;
   shell_body.press(pressure, 0);
   body.forces();
   std::vector<double> stretch;
@@ -22,9 +22,8 @@ Swing swing(Shell shell, const ShellMesh& mesh, const BodySolid& solid, double p
     stretch.push_back(shell_body.inner_stretch());
     found.largest_stretch = std::max(found.largest_stretch, stretch.back());
     advance(body, dt);
-    const BodyEnergy energy = body.energy();
-    worst_balance = std::max(worst_balance, std::abs(energy.balance()));
-    most_work = std::max(most_work, energy.pressure_work);
+    worst_balance = std::max(worst_balance, std::abs(body.balance()));
+    most_work = std::max(most_work, body.pressure_work());
   }
   found.closure = worst_balance / most_work;
   const auto times = crossings(stretch, dt, middle);

@@ -100,7 +100,7 @@ class ShellBody {
   }
 
  public:
-  Body body;
+  PressedBody body;
 
  private:
   int inside_, outside_;

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "percal/impact/body.hpp"
-#include "percal/mesh/quads.hpp"
+#include "mesh/quad_blocks.hpp"
 #include "percal/text/csv.hpp"
+#include "verification/pressed_body.hpp"
 
 namespace percal {
 
@@ -76,14 +76,15 @@ inline QuadBlock distorted(QuadBlock block, double amount, unsigned seed) {
 }
 
 // One step of length dt from a state whose velocities, displacements and forces belong to one time, to the next such state.
-template <class AddContact>
-void advance(Body& body, double dt, AddContact&& add_contact) {
+template <class AnyBody, class AddContact>
+void advance(AnyBody& body, double dt, AddContact&& add_contact) {
   body.step(dt / 2, dt);
   body.forces();
   add_contact();
   body.step(dt / 2, 0);
 }
-inline void advance(Body& body, double dt) {
+template <class AnyBody>
+void advance(AnyBody& body, double dt) {
   advance(body, dt, [] {});
 }
 

@@ -11,8 +11,6 @@
 namespace percal {
 namespace {
 
-constexpr double smallest_bulk_ratio = 50;
-
 // Natural values of all the job's parameters, the held ones included.
 std::vector<double> natural_of(const CalibrationJob& job, const HypothesisResult& result) {
   std::vector<double> natural(job.parameters.size());
@@ -49,7 +47,7 @@ CardIntervals intervals_of(const CalibrationJob& job, const HypothesisResult& re
 
 double bulk_ratio(const CalibrationJob& job, int material, const MaterialAt& at) {
   enum { log_bulk_ratio = 5 };
-  double ratio = smallest_bulk_ratio;
+  double ratio = least_bulk_ratio;
   for (const MeasuredShot& shot : job.shots)
     if (shot.material == material) ratio = std::max(ratio, std::exp(shot_inputs(shot, at).at[log_bulk_ratio]));
   return ratio;

@@ -11,15 +11,13 @@ double number_at(const MaterialNumber& number, const std::vector<double>& natura
   return std::get<double>(number);
 }
 
-constexpr double smallest_bulk_ratio = 50;
-
 // K/mu as reduce() chooses it, and d ln(K/mu)/d ln pi4: K/mu is a straight line in pi4 where the Mach number decides.
 struct ChosenBulk {
   double ratio, slope;
 };
 ChosenBulk chosen_bulk(double pi4) {
   const double subsonic = subsonic_bulk_ratio(pi4);
-  if (subsonic <= smallest_bulk_ratio) return {smallest_bulk_ratio, 0};
+  if (subsonic <= least_bulk_ratio) return {least_bulk_ratio, 0};
   return {subsonic, (subsonic_bulk_ratio(2 * pi4) - subsonic) / subsonic};
 }
 

@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "percal/base/error.hpp"
-#include "percal/impact/kernel.hpp"
-#include "percal/impact/march.hpp"
+#include "percal/impact/kernel/kernel.hpp"
+#include "percal/impact/march/march.hpp"
 #include "percal/observe/result_json.hpp"
 
 namespace percal {
@@ -71,7 +71,7 @@ Evaluation Campaign::evaluate(const Problem& problem) { return evaluate(problem,
 Evaluation Campaign::evaluate(const Problem& problem, int threads, FrameObserver* observer) {
   if (stop_wanted_ && stop_wanted_()) throw Interrupted();
   const std::string key = evaluation_key(problem, instruction_level());
-  if (store_ && !observer && std::holds_alternative<NoHistory>(problem.history)) {
+  if (store_ && !observer && problem.history_samples == 0) {
     if (const auto stored = store_->find(key)) {
       Evaluation evaluation = read(*stored);
       const std::lock_guard lock(books_->mutex);
@@ -93,7 +93,7 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
   std::map<std::string, std::size_t> first_with_key;
   std::vector<std::size_t> stands_for(problems.size()), distinct;
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    const char* history = std::holds_alternative<NoHistory>(problems[i].history) ? "" : " history";
+    const char* history = problems[i].history_samples == 0 ? "" : " history";
     const auto [place, is_new] =
         first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()) + history, i);
     stands_for[i] = place->second;

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "percal/base/error.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 #include "percal/observe/result_json.hpp"
 
 namespace percal {

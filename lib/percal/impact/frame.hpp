@@ -5,9 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "percal/impact/element.hpp"
-#include "percal/impact/state.hpp"
-#include "percal/impact/target_solid.hpp"
 #include "percal/mesh/quads.hpp"
 
 namespace percal {
@@ -21,9 +18,6 @@ struct CellState {
 
   bool operator==(const CellState&) const = default;
 };
-
-// In the axes that F and the first Piola stress P are given in.
-CellState cell_state(const scalar::Gradient<double>& F, const scalar::Piola<double>& P, double energy_density);
 
 // Points and polygons between them.
 struct FramePiece {
@@ -69,30 +63,6 @@ class FrameObserver {
   virtual bool is_due(const Moment& now) = 0;
   // A frame that was due; and the run's last state, due or not.
   virtual void see(const Frame& frame) = 0;
-};
-
-// The block's nodes column by column, each from the surface downwards, and its elements in the same order: always all of them.
-template <class Real>
-TargetPiece target_piece(const Block<Real>&, const TargetSolid&);
-
-// What a march does about its observer: nothing, or what is due. A frame is made only where it is wanted.
-struct NoFrames {
-  template <class Make>
-  void look(const Moment&, const Make&) const {}
-  template <class Make>
-  void finish(const Make&) const {}
-};
-struct Frames {
-  FrameObserver& observer;
-
-  template <class Make>
-  void look(const Moment& now, const Make& make) const {
-    if (observer.is_due(now)) observer.see(make());
-  }
-  template <class Make>
-  void finish(const Make& make) const {
-    observer.see(make());
-  }
 };
 
 }  // namespace percal

@@ -1,39 +1,102 @@
-// Numbers of the march that no scene sets, each in its one home.
+// Numbers of the march that no scene sets: what each is, when to change it, what goes wrong if it is.
 #pragma once
 
 namespace percal {
 
-inline constexpr double step_growth = 1.05;         // the step may grow by this much from one to the next
-inline constexpr double reference_bulk_ratio = 50;  // dt_ref, which contact stiffness is tied to, is taken at this K/mu
-inline constexpr double distorted_jacobian = 0.05;  // an eroding scene takes out an element compressed below it
-inline constexpr double inverted_jacobian = 1e-3;   // below it an element counts as turned inside out
-inline constexpr double distorted_step =
-    0.016;  // an eroding scene takes out an element whose step falls below this share of the first
-inline constexpr double largest_travel =
-    0.5;  // the particle, as fast as at impact, passes this share of a row in a step at most
-inline constexpr double collapsed_step = 1e-5;  // a run whose step falls below this share of the first is unstable
-inline constexpr double rest_speed = 1e-6;      // rows whose nodes are all slower (over impact speed) are at rest
-inline constexpr double near_behind = 2;  // the short step is taken from this many radii above the tip, in undeformed
-                                          // depth, to the first whole group of rows below it
-inline constexpr double longest_far_step =
-    0.9;                                 // the long step may be this share of the undeformed element's stable one
-inline constexpr int near_interval = 8;  // long steps between two choices of who takes the short one
-inline constexpr double supersonic_quadratic =
-    2;  // least viscosities and largest time-step factor where the impact is faster
-inline constexpr double supersonic_linear = 0.2;  // than the target's waves
-inline constexpr double supersonic_step = 0.5;
-inline constexpr int front_rows = 32;       // rows are set in motion in groups of this many
-inline constexpr int front_interval = 8;    // steps between two looks at the front: a wave crosses a row a step at most
-inline constexpr int search_interval = 32;  // steps between two searches for the highest row that contact can reach
-inline constexpr double search_radius = 2.2;  // columns that start further out never meet the sphere
-inline constexpr double lost_contact = 0.5;   // a run with a node further inside the particle, in radii, is unstable
-inline constexpr double tolerated_energy_error = 0.05;  // a run that makes or loses more energy is unstable
-inline constexpr int fewest_particle_elements = 6;      // on an elastic particle's radius
-inline constexpr double particle_step_factor = 0.8;     // share of its stable step that an elastic particle takes
-inline constexpr int particle_step_interval = 8;      // moves of an elastic particle between two looks at its step, and
-inline constexpr double particle_step_change = 0.02;  // 1 where 1/dt^2 last changed by more than this share
-inline constexpr double particle_spring_margin = 4;   // on the springs of an elastic particle's nodes, in the step
-inline constexpr int most_particle_steps = 200;       // of an elastic particle in one of the march's: beyond, not run
+// --- the time step ---------------------------------------------------------------------------------------------------
+
+// The step may grow by this factor from one to the next. Smaller: after a stiff element has gone, a run crawls on with
+// its step for longer. Larger: central differences, of second order only where the step changes slowly, make or lose
+// energy.
+inline constexpr double step_growth = 1.05;
+
+// The particle, as fast as at impact, passes at most this share of a row in a step. Larger: on coarse meshes of soft
+// targets it outruns its contact springs, and nodes end up inside it.
+inline constexpr double largest_travel = 0.5;
+
+// A run whose step falls below this share of the first is unstable. Larger: stiff cases that would end well are given
+// up. Smaller: a hopeless one takes hours to say so.
+inline constexpr double collapsed_step = 1e-5;
+
+// A run that has not ended after so many long steps is called off.
 inline constexpr long most_steps = 50'000'000;
+
+// Where the impact is faster than the target's waves: least viscosities, linear and quadratic, and largest time-step
+// factor. With less viscosity the shock rings and turns elements inside out; with more the front is smeared over more
+// rows, and the step that the viscosity allows shrinks.
+inline constexpr double supersonic_linear = 0.2;
+inline constexpr double supersonic_quadratic = 2;
+inline constexpr double supersonic_step = 0.5;
+
+// --- two rates: a short step near the particle, a long one far from it (docs/decisions/0006-two-rates.md) -------------
+
+// Elements take the short step from this many radii above the tip, in undeformed depth, to the first whole group of
+// rows below it. Less: strongly deformed elements are left to the long step until one is seen to be too stiff for it.
+// More: time.
+inline constexpr double near_behind = 2;
+
+// The long step may be this share of the stable step of the undeformed element. Nearer to 1: more elements are too
+// stiff for it and join the short one.
+inline constexpr double longest_far_step = 0.9;
+
+// Long steps between two choices of who takes the short one. More: an element grows too stiff for its step before
+// anybody looks. Fewer: time.
+inline constexpr int near_interval = 8;
+
+// --- elements that are taken out, or end a run ---
+
+// An eroding scene takes out an element compressed below this J, or whose stable step falls below this share of the
+// first: it is past its criterion in all but name. Smaller: a few crushed elements dictate the step. Larger: the depth
+// depends on it.
+inline constexpr double distorted_jacobian = 0.05;
+inline constexpr double distorted_step = 0.016;
+
+// Below this J an element counts as turned inside out, which ends a run that does not erode. At 1e-3 element.hpp bounds
+// J.
+inline constexpr double inverted_jacobian = 1e-3;
+
+// A run with a node further inside the particle, in radii, is unstable: its springs no longer push it out the way it
+// came.
+inline constexpr double lost_contact = 0.5;
+
+// A run that makes or loses a larger share of the impact energy is unstable.
+inline constexpr double tolerated_energy_error = 0.05;
+
+// --- work that is left out ---
+
+// Rows whose nodes are all slower, over the impact speed, are at rest and not advanced; they join in groups of
+// `front_rows`, and every `front_interval` steps somebody looks: a wave crosses a row a step at most, so the interval
+// must stay below the group.
+inline constexpr double rest_speed = 1e-6;
+inline constexpr int front_rows = 32;
+inline constexpr int front_interval = 8;
+
+// Steps between two searches for the highest row that contact can reach. More: a wider margin, so more rows are looked
+// at.
+inline constexpr int search_interval = 32;
+
+// Columns that start further out, in radii, never meet the particle. Less: those that a deep crater draws in are
+// missed.
+inline constexpr double search_radius = 2.2;
+
+// --- an elastic particle (docs/theory/elastic_particle.md) ---
+
+// On its radius, however coarse the target. Fewer: its lowest frequencies, and with them what it stores, are wrong.
+inline constexpr int fewest_particle_elements = 6;
+
+// Share of its stable step that it takes. Nearer to 1: its energy closes less well.
+inline constexpr double particle_step_factor = 0.8;
+
+// Moves between two looks at its stable step, which cost as much as several steps; after a look that found 1/dt^2
+// changed by more than `particle_step_change` the next is at once. More: it deforms past a step that has become too
+// long.
+inline constexpr int particle_step_interval = 8;
+inline constexpr double particle_step_change = 0.02;
+
+// On the contact springs of its nodes, in the step: those of the next look may be stiffer than the stiffest so far.
+inline constexpr double particle_spring_margin = 4;
+
+// Its own steps in one of the march's; one that needs more is not run, for a rigid one will do.
+inline constexpr int most_particle_steps = 200;
 
 }  // namespace percal

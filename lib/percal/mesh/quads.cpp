@@ -9,34 +9,6 @@
 namespace percal {
 namespace {
 
-// count + 1 numbers from 0 to 1 whose gaps grow by one factor.
-std::vector<double> graded(int count, double growth) {
-  std::vector<double> at{0};
-  double gap = 1;
-  for (int i = 0; i < count; ++i, gap *= growth) at.push_back(at.back() + gap);
-  for (double& x : at) x /= at.back();
-  at.back() = 1;
-  return at;
-}
-
-// Element corners and sides of a block whose nodes are still at the origin.
-QuadBlock empty_block(int across, int along) {
-  assert(across >= 1 && along >= 1);
-  QuadBlock block;
-  block.across = across;
-  block.along = along;
-  block.mesh.nodes.resize(static_cast<std::size_t>(across + 1) * (along + 1));
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < across; ++i)
-      block.mesh.elements.push_back(
-          {block.node(i, j), block.node(i + 1, j), block.node(i + 1, j + 1), block.node(i, j + 1)});
-  for (int i = 0; i <= across; ++i) block.first.push_back(block.node(i, 0));
-  for (int j = 0; j <= along; ++j) block.outer.push_back(block.node(across, j));
-  for (int i = across; i >= 0; --i) block.last.push_back(block.node(i, along));
-  for (int j = along; j >= 0; --j) block.inner.push_back(block.node(0, j));
-  return block;
-}
-
 constexpr double core_share = 0.6;   // of the elements on a radius of a disc that its core takes
 constexpr double core_width = 0.55;  // half width of the core, of the radius
 constexpr double core_bulge = 0.45;  // 0: the core is a square, 1: a circle
@@ -84,33 +56,33 @@ class DiscMaker {
         const auto& next = around[(k + 1) % around.size()];
         add({ring_node(here, ring), ring_node(here, ring + 1), ring_node(next, ring + 1), ring_node(next, ring)});
       }
-    for (const auto& place : around) disc_.boundary.push_back(ring_node(place, rings_));
+    for (const auto& on_core : around) disc_.boundary.push_back(ring_node(on_core, rings_));
     return disc_;
   }
 
  private:
-  using Place = std::array<int, 2>;
+  using CoreNode = std::array<int, 2>;  // i, j of in_core
 
   // Counter-clockwise; the half starts at the bottom of the axis, the whole at the lower left corner.
-  std::vector<Place> core_boundary() const {
+  std::vector<CoreNode> core_boundary() const {
     const int m = core_;
-    std::vector<Place> places;
-    for (int i = half_ ? 0 : -m; i < m; ++i) places.push_back({i, -m});
-    for (int j = -m; j < m; ++j) places.push_back({m, j});
-    for (int i = m; i > (half_ ? 0 : -m); --i) places.push_back({i, m});
+    std::vector<CoreNode> around;
+    for (int i = half_ ? 0 : -m; i < m; ++i) around.push_back({i, -m});
+    for (int j = -m; j < m; ++j) around.push_back({m, j});
+    for (int i = m; i > (half_ ? 0 : -m); --i) around.push_back({i, m});
     if (half_)
-      places.push_back({0, m});
+      around.push_back({0, m});
     else
-      for (int j = m; j > -m; --j) places.push_back({-m, j});
-    return places;
+      for (int j = m; j > -m; --j) around.push_back({-m, j});
+    return around;
   }
 
   int core_node(int i, int j) { return node({i, j, 0}, in_core(core_, i, j)); }
 
-  int ring_node(const Place& place, int ring) {
-    const Point inside = in_core(core_, place[0], place[1]), circle = on_circle(place[0], place[1]);
+  int ring_node(const CoreNode& on_core, int ring) {
+    const Point inside = in_core(core_, on_core[0], on_core[1]), circle = on_circle(on_core[0], on_core[1]);
     const double share = static_cast<double>(ring) / rings_;
-    return node({place[0], place[1], ring},
+    return node({on_core[0], on_core[1], ring},
                 {(1 - share) * inside[0] + share * circle[0], (1 - share) * inside[1] + share * circle[1]});
   }
 
@@ -129,30 +101,6 @@ class DiscMaker {
 };
 
 }  // namespace
-
-QuadBlock rectangle(const RectangleOptions& o) {
-  QuadBlock block = empty_block(o.across, o.along);
-  const auto x = graded(o.across, o.growth_x), y = graded(o.along, o.growth_y);
-  for (int j = 0; j <= o.along; ++j)
-    for (int i = 0; i <= o.across; ++i)
-      block.mesh.nodes[block.node(i, j)] = {o.left + (o.right - o.left) * x[i], o.bottom + (o.top - o.bottom) * y[j]};
-  return block;
-}
-
-QuadBlock sector(const SectorOptions& o) {
-  QuadBlock block = empty_block(o.across, o.along);
-  const auto share = graded(o.across, o.growth);
-  for (int j = 0; j <= o.along; ++j)
-    for (int i = 0; i <= o.across; ++i) {
-      const double radius = o.inner + (o.outer - o.inner) * share[i];
-      const double angle = o.first_angle + (o.last_angle - o.first_angle) * j / o.along;
-      Point at{radius * std::cos(angle), radius * std::sin(angle)};
-      for (double& x : at)
-        if (std::abs(x) < 1e-12 * o.outer) x = 0;  // on an axis, not beside it
-      block.mesh.nodes[block.node(i, j)] = at;
-    }
-  return block;
-}
 
 Disc half_disc(int elements_per_radius) { return DiscMaker(elements_per_radius, true).make(); }
 Disc disc(int elements_per_radius) { return DiscMaker(elements_per_radius, false).make(); }

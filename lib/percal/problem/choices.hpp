@@ -1,6 +1,7 @@
-// Everything that a scene may ask for and may leave out, on one page. Each is a variant with an empty alternative: what is
-// left out has no state and costs no work. The march is composed once a run from these. Dimensionless: radius, impact speed and
-// the first layer's density are 1.
+// Everything that a scene may ask for and may leave out, on one page. Each is a variant with an empty alternative, or a
+// list that may be empty: what is left out has no state and costs no work. The march is compiled for each particle in
+// each arithmetic; a target that needs no more than the plain solid gets a kernel that knows no more. Dimensionless:
+// radius, impact speed and the first layer's density are 1.
 #pragma once
 #include <array>
 #include <variant>
@@ -20,20 +21,24 @@ struct RigidSphere {
   bool operator==(const RigidSphere&) const = default;
 };
 // A convex polygon, anticlockwise, with x to the right and y upwards from its centre of mass, its half width 1.
-struct RigidProfile {
+struct RigidPolygon {
   std::vector<std::array<double, 2>> vertices;
-  double mass =
-      0;  // per radian (axisymmetric) or per unit of thickness, of the whole body, over rho_t a^3 or rho_t a^2
+  // Of the whole body, per radian (axisymmetric) or per unit of thickness, over rho_t a^3 or rho_t a^2.
+  double mass = 0;
   double inertia = 0;  // about the centre of mass; used where free_rotation
   bool free_rotation = false;
-  bool operator==(const RigidProfile&) const = default;
+  bool operator==(const RigidPolygon&) const = default;
 };
 struct ElasticSphere {
   double youngs_modulus = 0;  // over rho_t v^2
   double poisson_ratio = 0.3;
   bool operator==(const ElasticSphere&) const = default;
 };
-using Particle = std::variant<RigidSphere, RigidProfile, ElasticSphere>;
+using Particle = std::variant<RigidSphere, RigidPolygon, ElasticSphere>;
+
+// The least K/mu that is chosen where a scene gives none, and at which contact stiffness is set
+// (impact/target/constants.hpp): with more, a soft solid's depth no longer depends on K.
+inline constexpr double least_bulk_ratio = 50;
 
 // A layer below the first.
 struct LowerLayer {
@@ -41,19 +46,11 @@ struct LowerLayer {
   double density = 1;  // over the first layer's
   double mu = 0;       // over rho_t v^2: the first layer's would be 1/pi4
   double alpha = 0;
-  double bulk_ratio = 50;    // K / mu
-  double erosion_limit = 0;  // as the first layer's limit is meant; infinite: does not erode
+  double bulk_ratio = least_bulk_ratio;  // K / mu
+  double erosion_limit = 0;              // as the first layer's limit is meant; infinite: does not erode
   bool operator==(const LowerLayer&) const = default;
 };
 
-// The penetration history, or nothing.
-struct NoHistory {};
-struct History {
-  int samples = 400;
-};  // about this many, evenly spaced in steps
-using HistoryChoice = std::variant<NoHistory, History>;
-
-static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoRelaxation> && std::is_empty_v<RigidSphere> &&
-              std::is_empty_v<NoHistory>);
+static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoRelaxation> && std::is_empty_v<RigidSphere>);
 
 }  // namespace percal

@@ -1,5 +1,3 @@
-#include "percal/problem/left_out.hpp"
-
 #include <fmt/core.h>
 
 #include "percal/problem/particle.hpp"
@@ -19,7 +17,7 @@ std::string why_the_particle_is_rigid(const Scene& scene) {
 struct WhyItDoesNotTurn {
   std::string operator()(const RigidSphere&) const { return "contact without friction does not turn a round particle"; }
   std::string operator()(const ElasticSphere&) const { return (*this)(RigidSphere{}); }
-  std::string operator()(const RigidProfile& profile) const {
+  std::string operator()(const RigidPolygon& profile) const {
     return profile.free_rotation ? "" : "the scene holds the particle as it stands";
   }
 };
@@ -35,7 +33,7 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
   if (problem.geometry == Geometry::plane_strain && !problem.whole)
     list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
-  if (std::holds_alternative<NoHistory>(problem.history)) list.push_back({"history", "nobody asked for it"});
+  if (problem.history_samples == 0) list.push_back({"history", "nobody asked for it"});
   if (std::holds_alternative<NoRelaxation>(problem.relaxation))
     list.push_back({"rate dependence", "the scene gives none"});
   if (problem.below.empty()) list.push_back({"further layers", "the scene has one"});

@@ -94,7 +94,7 @@ Particle reduced_particle(const Scene& scene, double density_ratio) {
   }
   const auto* profile = std::get_if<ProfileShape>(&scene.particle.shape);
   if (!profile) return RigidSphere{};
-  RigidProfile reduced;
+  RigidPolygon reduced;
   reduced.vertices = reduced_outline(*profile, scene.geometry);
   const SolidBody body = body_of(reduced.vertices, scene.geometry);
   reduced.mass = round_to_12_digits(density_ratio * body.measure);

@@ -13,9 +13,9 @@ struct Problem {
   double pi4 = 0;            // rho_t v^2 / mu, mu the true shear modulus
   double density_ratio = 0;  // rho_p / rho_t = 1/pi5
   double alpha = 0;
-  double bulk_ratio = 50;  // K / mu
-  double depth = 75;       // L / a
-  double width = 5;        // w / a
+  double bulk_ratio = least_bulk_ratio;  // K / mu
+  double depth = 75;                     // L / a
+  double width = 5;                      // w / a
   Bottom bottom = Bottom::free;
   Geometry geometry = Geometry::axisymmetric;
   bool whole = false;  // plane strain: both sides of x = 0; else the right half, mirrored
@@ -40,8 +40,10 @@ struct Problem {
   Arithmetic arithmetic = Arithmetic::single_precision;
   double end_time = 1000;  // in radii at impact speed
 
-  double speed_factor = 1;              // a replicate's speed over the scene's
-  HistoryChoice history = NoHistory{};  // not part of the key: it does not change the result
+  double speed_factor = 1;  // a replicate's speed over the scene's
+  // About so many points of the penetration history, evenly spaced in steps; 0: none. Not part of the key, for it does
+  // not change the result.
+  int history_samples = 0;
 
   double mu() const { return 1 / pi4; }
   double bulk() const { return bulk_ratio / pi4; }
@@ -67,6 +69,9 @@ struct LeftOut {
   std::string what;
   std::string why;
 };
+
+// What a run does without; said with every result.
+std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& problem);
 
 struct Reduction {
   Problem problem;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
-#include "percal/problem/left_out.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/profile.hpp"
@@ -12,11 +12,11 @@
 namespace percal {
 namespace {
 
-constexpr double smallest_chosen_ratio = 50;
+constexpr int usual_history_samples = 400;
 
 struct BulkRatio {
   double pi4;
-  double operator()(const ChooseBulk&) const { return std::max(smallest_chosen_ratio, subsonic_bulk_ratio(pi4)); }
+  double operator()(const ChooseBulk&) const { return std::max(least_bulk_ratio, subsonic_bulk_ratio(pi4)); }
   double operator()(const PoissonRatio& given) const { return bulk_to_shear(given.nu); }
   double operator()(const BulkToShear& given) const { return given.ratio; }
 };
@@ -149,7 +149,7 @@ Reduction reduce(const Scene& scene) {
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);
   take_solver(scene, p);
-  if (scene.output.history) p.history = History{};
+  if (scene.output.history) p.history_samples = usual_history_samples;
 
   reduction.bulk_modulus = p.bulk_ratio * reduction.mu_true;
   reduction.mach = mach_number(p);
@@ -159,5 +159,32 @@ Reduction reduce(const Scene& scene) {
   warn_of_the_mach_number(reduction);
   return reduction;
 }
+
+double Problem::whole_depth() const {
+  double sum = depth;
+  for (const LowerLayer& layer : below) sum += layer.depth;
+  return sum;
+}
+
+double mach_number(const Problem& problem) {
+  double largest = std::sqrt(problem.pi4 / (problem.bulk_ratio + 4.0 / 3));
+  for (const LowerLayer& layer : problem.below)
+    largest = std::max(largest, std::sqrt(layer.density / layer.mu / (layer.bulk_ratio + 4.0 / 3)));
+  return largest;
+}
+
+double subsonic_bulk_ratio(double pi4) { return 1.01 * pi4 / (recommended_mach * recommended_mach) - 4.0 / 3; }
+
+int usual_graded_columns(double fine_width, int elements_per_radius) {
+  const int fine_columns = std::max(1, static_cast<int>(std::lround(fine_width * elements_per_radius)));
+  return std::max(2, (fine_columns + 1) / 2);
+}
+
+double replicate_speed_factor(int replicate) {
+  const int step = (replicate + 1) / 2;
+  return 1 + (replicate % 2 == 1 ? 0.001 : -0.001) * step;
+}
+
+double round_to_12_digits(double x) { return std::strtod(fmt::format("{:.11e}", x).c_str(), nullptr); }
 
 }  // namespace percal

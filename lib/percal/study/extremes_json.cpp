@@ -26,7 +26,7 @@ std::string erosion_words(const Erosion& erosion) {
 
 std::string particle_word(const Particle& particle) {
   return std::holds_alternative<RigidSphere>(particle)    ? "rigid sphere"
-         : std::holds_alternative<RigidProfile>(particle) ? "rigid profile"
+         : std::holds_alternative<RigidPolygon>(particle) ? "rigid profile"
                                                           : "elastic sphere";
 }
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "percal/base/error.hpp"
-#include "percal/impact/kernel.hpp"
+#include "percal/impact/kernel/kernel.hpp"
 
 namespace percal {
 namespace {

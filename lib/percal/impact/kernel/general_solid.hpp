@@ -1,0 +1,179 @@
+// A target that is more than one layer of the plain solid: layers, other volumetric laws, stress that relaxes, erosion
+// by stress or energy, viscous hourglass control. The verbs are those of UniformSolid. docs/theory/target.md.
+#pragma once
+#include "percal/impact/kernel/relaxing_stress.hpp"
+#include "percal/impact/kernel/uniform_solid.hpp"
+
+namespace percal::PERCAL_LEVEL {
+
+// Besides those of the plain solid.
+template <class C>
+struct GeneralConstants : SolidConstants<C> {
+  C per_density, energy_scale;  // 2 mu/alpha^2
+  C hourglass_inverse_step;     // 1/dt that the viscosity of the hourglass mode needs
+};
+
+// take(of a, of b) for each of them.
+template <class A, class B, class Take>
+void each_constant(GeneralConstants<A>& a, const GeneralConstants<B>& b, Take take) {
+  take(a.mu, b.mu);
+  take(a.bulk, b.bulk);
+  take(a.alpha, b.alpha);
+  take(a.two_mu_over_alpha, b.two_mu_over_alpha);
+  take(a.hourglass, b.hourglass);
+  take(a.linear_viscosity, b.linear_viscosity);
+  take(a.quadratic_viscosity, b.quadratic_viscosity);
+  take(a.erosion_limit, b.erosion_limit);
+  take(a.smallest_jacobian, b.smallest_jacobian);
+  take(a.largest_inverse_step, b.largest_inverse_step);
+  take(a.per_density, b.per_density);
+  take(a.energy_scale, b.energy_scale);
+  take(a.hourglass_inverse_step, b.hourglass_inverse_step);
+}
+
+template <class Real>
+PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& m, const ColumnShape& shape,
+                                                       HourglassKind hourglass, ErosionKind erosion) {
+  GeneralConstants<Real> c{solid_constants<Real>(m, shape), Real(1 / m.density), Real(2 * m.mu / (m.alpha * m.alpha)),
+                           Real(0)};
+  if (hourglass == HourglassKind::viscosity) {
+    const double impedance = __builtin_sqrt((m.bulk + 4.0 / 3 * m.mu) * m.density);
+    const double length = __builtin_sqrt(shape.width * shape.height);
+    c.hourglass = Real(0.25 * m.hourglass * impedance * length * shape.thickness);
+    c.hourglass_inverse_step = Real(2 * m.hourglass * impedance / (m.density * length));
+  }
+  if (erosion != ErosionKind::stretch)
+    c.erosion_limit = Real(m.erosion_limit < no_erosion ? m.erosion_limit : largest_number);
+  return c;
+}
+
+template <class Real>
+class GeneralSolid {
+ public:
+  using V = typename VectorOf<Real>::type;
+  using Constants = GeneralConstants<V>;
+  static constexpr int lanes = Lane<V>::count;
+
+  GeneralSolid(const FieldsView<Real>& fields, const GeneralSolidView<Real>& view, const ColumnShape& shape, int column,
+               double previous_step)
+      : view_(view),
+        shape_(shape),
+        inner_(static_cast<long>(column) * fields.stride),
+        outer_(inner_ + fields.stride),
+        v_r_(fields.v_r),
+        v_z_(fields.v_z),
+        previous_step_(Real(previous_step)),
+        relaxing_stress_(view.relaxation, column, inner_, view.time) {}
+
+  PERCAL_INLINE const Constants& at(int j) {
+    if (j >= valid_below_) take_constants(j);
+    return constants_;
+  }
+
+  PERCAL_INLINE CornerForce<V> hourglass_force(int j, V mode_r, V mode_z) {
+    if (view_.hourglass_kind == HourglassKind::stiffness)
+      return {mode_r * constants_.hourglass, mode_z * constants_.hourglass};
+    const V r = mode_of(v_r_, j), z = mode_of(v_z_, j);
+    Real *old_r = view_.hourglass.r + inner_ + j, *old_z = view_.hourglass.z + inner_ + j;
+    const V half = Real(0.5) * previous_step_ * constants_.hourglass;
+    hourglass_work_if_gone_ = half * (load<V>(old_r) * r + load<V>(old_z) * z);
+    hourglass_work_ = hourglass_work_if_gone_ + half * (r * r + z * z);
+    store(old_r, r);
+    store(old_z, z);
+    return {r * constants_.hourglass, z * constants_.hourglass};
+  }
+
+  PERCAL_INLINE V volumetric_stress(const Stretches<V>& s, V q) const {
+    return kirchhoff_pressure(view_.pressure_law, s.jacobian, constants_.bulk) - q * s.jacobian;
+  }
+
+  PERCAL_INLINE void relax(int j, const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
+                           Piola<V>& P) {
+    if (view_.relaxation.terms == 0) return;
+    const auto change = relaxing_stress_.advance(j, F, second_piola(s, t));
+    relaxing_work_ = change.work;
+    relaxing_work_if_gone_ = change.work_if_gone;
+    const Piola<V> more = pushed(F, change.stress);
+    P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+    stiffer_ = larger(largest_principal(kirchhoff(F, more)), V{});
+  }
+
+  // Relaxation leaves the modulus of a fast change alone, but not the stress that the modulus of P has in it: target.md
+  // (10).
+  PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
+                                           const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
+    const V volumetric = volumetric_stiffness(view_.pressure_law, s.jacobian, constants_.bulk);
+    StepBound<V> bound = step_bound_with(volumetric, s, g, t, constants_.mu, per.width2, per.height2, per.hoop2);
+    if (view_.relaxation.terms > 0) bound.stiffness += stiffer_ * bound.over_stretch;
+    return bound;
+  }
+  PERCAL_INLINE V inverse_step(const StepBound<V>& bound, V drag_times_density) const {
+    const V drag = drag_times_density * constants_.per_density;
+    const V inverse = square_root(larger(bound.stiffness * constants_.per_density, V{}) + drag * drag) + drag;
+    return larger(inverse, constants_.hourglass_inverse_step);
+  }
+
+  PERCAL_INLINE V erosion_measure(const Gradient<V>& F, const Stretches<V>& s, const IsochoricPowers<V>& g,
+                                  const Piola<V>& P, V q) const {
+    switch (view_.erosion_kind) {
+      case ErosionKind::stress: return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
+      case ErosionKind::energy:
+        return isochoric_energy(g, constants_.energy_scale) +
+               volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+      case ErosionKind::stretch: break;
+    }
+    return larger(s.first2, F.hoop * F.hoop);
+  }
+
+  template <class Mask>
+  PERCAL_INLINE void close_group(int, Mask live, Mask gone) {
+    const V zero{};
+    if (view_.hourglass_kind == HourglassKind::viscosity)
+      dissipated_ += select(live, hourglass_work_, select(gone, hourglass_work_if_gone_, zero));
+    if (view_.relaxation.terms > 0)
+      relaxed_ += select(live, relaxing_work_, select(gone, relaxing_work_if_gone_, zero));
+  }
+  void report(double volume, ColumnReport& report) const {
+    report.viscous_work += lane_sum(dissipated_);
+    report.relaxing_work += volume * lane_sum(relaxed_);
+  }
+
+ private:
+  const SolidLayer& layer_of(int row) const {
+    int k = 0;
+    while (k + 1 < view_.layer_count && row >= view_.layers[k].end) ++k;
+    return view_.layers[k];
+  }
+  GeneralConstants<Real> of_layer(const SolidLayer& layer) const {
+    return general_constants<Real>(layer.material, shape_, view_.hourglass_kind, view_.erosion_kind);
+  }
+  // All lanes alike until the layer's last whole group; a group that holds the end of a layer takes each lane's own.
+  void take_constants(int j) {
+    for (int l = 0; l < lanes; ++l) {
+      const GeneralConstants<Real> own = of_layer(layer_of(j + l));
+      each_constant(constants_, own, [l](V& all, Real one) { all[l] = one; });
+    }
+    const SolidLayer& layer = layer_of(j);
+    const bool last = &layer == view_.layers + view_.layer_count - 1;
+    valid_below_ = last ? 1 << 30 : (layer.end - lanes + 1 > j + 1 ? layer.end - lanes + 1 : j + 1);
+  }
+  PERCAL_INLINE V mode_of(const Real* nodal, int j) const {
+    const Real *inner = nodal + inner_ + j, *outer = nodal + outer_ + j;
+    return (load<V>(inner) - load<V>(outer)) + (load<V>(outer + 1) - load<V>(inner + 1));
+  }
+
+  const GeneralSolidView<Real>& view_;
+  const ColumnShape& shape_;
+  const long inner_, outer_;
+  const Real *v_r_, *v_z_;
+  const Real previous_step_;
+  RelaxingStress<Real> relaxing_stress_;
+  Constants constants_;
+  int valid_below_ = -1;
+  // Of the group at hand.
+  V hourglass_work_{}, hourglass_work_if_gone_{}, relaxing_work_{}, relaxing_work_if_gone_{}, stiffer_{};
+  // Of the column.
+  V dissipated_{}, relaxed_{};
+};
+
+}  // namespace percal::PERCAL_LEVEL

@@ -1,0 +1,16 @@
+// The kernel for one instruction level: compiled once for each, with PERCAL_LEVEL naming it (cmake/PercalKernel.cmake).
+#include "percal/impact/kernel/contact_and_motion.hpp"
+
+namespace percal::PERCAL_LEVEL {
+
+template <class Real>
+constexpr Kernel<Real> table_of_functions{internal_forces<Real>, internal_forces_general<Real>,
+                                          sphere_contact<Real>,  polygon_contact<Real>,
+                                          kick_and_drift<Real>,  Lane<typename VectorOf<Real>::type>::count};
+
+extern const Kernel<float> single_kernel;
+extern const Kernel<double> double_kernel;
+const Kernel<float> single_kernel = table_of_functions<float>;
+const Kernel<double> double_kernel = table_of_functions<double>;
+
+}  // namespace percal::PERCAL_LEVEL

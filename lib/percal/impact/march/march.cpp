@@ -1,0 +1,399 @@
+#include "percal/impact/march/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/impact/march/recorder.hpp"
+#include "percal/impact/march/sweep.hpp"
+#include "percal/impact/particle/elastic_sphere.hpp"
+#include "percal/impact/particle/particle.hpp"
+#include "percal/impact/settings.hpp"
+#include "percal/impact/target/constants.hpp"
+#include "percal/impact/target/contents.hpp"
+
+namespace percal {
+namespace {
+
+// One run: central differences in leapfrog form, velocities half a step behind displacements until synchronise(). Elements near
+// the particle, and the particle, take `substeps_` short steps while the far ones take a long one.
+template <class Real, class ParticleRun>
+class March {
+ public:
+  March(const Problem& problem, FrameObserver* observer, int threads)
+      : problem_(problem),
+        kernel_(kernel<Real>()),
+        limits_(step_limits(problem)),
+        block_(problem, mesh_of(problem), limits_.contact_stiffness_per_mass, kernel_.lanes),
+        solid_(problem, block_.layers()),
+        sweep_(block_, kernel_, solid_, threads),
+        particle_(problem),
+        recorder_(problem.history_samples),
+        observer_(observer),
+        substeps_(problem.rates) {
+    impact_energy_ = particle_.energy().kinetic;
+    rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
+    const auto& x = block_.mesh().radius;
+    while (x[contact_.column_begin] < -search_radius) ++contact_.column_begin;
+    contact_.column_end = contact_.column_begin;
+    while (contact_.column_end <= block_.mesh().columns() && x[contact_.column_end] < search_radius)
+      ++contact_.column_end;
+    if (substeps_ > 1)
+      near_ = NearCells(block_.mesh().columns(), sweep_.whole_groups(block_.mesh().rows), kernel_.lanes);
+    before_ = near_;
+    result_.elements = block_.mesh().elements();
+    result_.smallest_step = 1;
+  }
+
+  ImpactResult run() {
+    for (;;) {
+      find_all_forces();
+      if (has_ended()) break;
+      choose_step();
+      if (recorder_.is_due()) recorder_.keep(history_point());
+      if (observer_ && observer_->is_due(moment())) observer_->see(frame());
+      move_far(0.5 * (last_far_step_ + far_step()), far_step());
+      move_near(0.5 * (last_step_ + step_), step_);
+      for (int substep = 1; substep < substeps_; ++substep) {
+        find_near_forces();
+        move_near(step_, step_);
+      }
+      last_far_step_ = far_step();
+      if (++result_.steps % front_interval == 0) extend_front();
+    }
+    synchronise();
+    close_the_books();
+    return std::move(result_);
+  }
+
+ private:
+  double far_step() const { return substeps_ * step_; }
+  double force() const { return far_contact_.force + near_contact_.force; }
+
+  void find_all_forces() {
+    if (result_.steps % search_interval == 0) find_contact_rows();
+    const bool choose = substeps_ > 1 && result_.steps % near_interval == 0;
+    if (choose) choose_near_cells();
+    sweep_.set_time(time_);
+    take_in(sweep_.all(near_, rows_moving_, last_far_step_, last_step_));
+    if (choose) settle_those_that_changed();
+    far_inverse_step_ = forces_.far_inverse_step;
+    result_.element_steps += static_cast<double>(rows_moving_) * block_.mesh().columns();
+    touch_far();
+    touch_near();
+  }
+
+  void find_near_forces() {
+    sweep_.set_time(time_);
+    take_in(sweep_.near_only(near_, last_step_));
+    result_.element_steps += near_.elements_in_all();
+    touch_near();
+  }
+
+  void take_in(SweepReport report) {
+    forces_ = std::move(report);
+    viscous_work_ += forces_.viscous_work;
+    relaxing_work_ += forces_.relaxing_work;
+    result_.smallest_jacobian = std::min(result_.smallest_jacobian, forces_.smallest_jacobian);
+    for (const int column : forces_.doomed_columns)
+      for (int j = 0; j < rows_moving_; ++j)
+        if (block_.view().alive[block_.at(column, j)] < 0) erode(column, j);
+  }
+
+  // Everything around the particle, and what has lately been too stiff for the long step.
+  void choose_near_cells() {
+    const double height = block_.mesh().row_height;
+    const int end = sweep_.whole_groups(rows_moving_);
+    const auto row_of = [&](double depth) {
+      return std::min(end, std::max(0, static_cast<int>(depth / height)) / kernel_.lanes * kernel_.lanes);
+    };
+    around_ = {row_of(particle_.tip() - near_behind), std::min(end, row_of(particle_.tip()) + kernel_.lanes)};
+    near_.clear();
+    near_.add(std::max(0, contact_.column_begin - 1), std::min(contact_.column_end, block_.mesh().columns()), around_);
+    sweep_.add_stiff(near_);
+    near_.close();
+  }
+
+  // Velocities stand half a last step behind, a long one for what was far, a short one for what was near; the next kick takes it that
+  // everything was what it is now. What has changed gets the difference.
+  void settle_those_that_changed() {
+    sweep_.settle(near_, before_, 0.5 * (last_far_step_ - last_step_));
+    before_ = near_;
+  }
+
+  // The energy that leaves with an element is what it stores plus what its forces, gone before the end of the last step, did
+  // not do any more in that step's second half; so the books close to second order (docs/theory/impact.md, "Energy").
+  void erode(int column, int row) {
+    const auto energy = element_energy(block_, solid_, column, row,
+                                       substeps_ > 1 && before_.has(column, row) ? last_step_ : last_far_step_);
+    eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
+    ++result_.eroded;
+    if (block_.view().alive[block_.at(column, row)] < -1) ++result_.distorted;
+    if (!solid_.erodes(row)) inside_out_ = true;
+    block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact,
+                    [this](int i, int j) { drop_contact(i, j); });
+  }
+
+  void drop_contact(int column, int row) {
+    const auto& view = block_.view();
+    const long n = block_.at(column, row);
+    const double x = block_.mesh().radius[column] + view.u_r[n], z = row * block_.mesh().row_height + view.u_z[n];
+    const auto [gap, normal_x, normal_z] = particle_.overlap(x, z);
+    if (gap == 0) return;
+    const auto velocity = particle_.velocity_at(x, z);
+    const double stiffness = view.contact_stiffness[n];
+    const double apart = (view.v_r[n] - velocity.x) * normal_x + (view.v_z[n] - velocity.z) * normal_z;
+    dropped_energy_ += 0.5 * stiffness * gap * gap + 0.5 * last_step_ * stiffness * gap * apart;
+  }
+
+  // Nodes around the particle meet it once a short step, others once a long one.
+  void touch_far() {
+    const double height = block_.mesh().row_height;
+    contact_.rows.end =
+        std::min(rows_moving_ + 1, std::max(static_cast<int>((particle_.tip() + 1) / height) + 2, lifted_rows_));
+    far_contact_ = {};
+    const auto touch = [&](Rows rows) {
+      if (rows.empty()) return;
+      far_contact_ +=
+          particle_.touch(kernel_, block_, block_.far_forces(), {contact_.column_begin, contact_.column_end, rows});
+    };
+    touch({contact_.rows.begin, std::min(contact_.rows.end, around_.begin)});
+    touch({std::max(contact_.rows.begin, around_.end), contact_.rows.end});
+    result_.largest_gap = std::max(result_.largest_gap, far_contact_.largest_gap / height);
+  }
+
+  void touch_near() {
+    near_contact_ = {};
+    const Rows rows{std::max(contact_.rows.begin, around_.begin), std::min(contact_.rows.end, around_.end)};
+    if (rows.empty()) return;
+    near_contact_ =
+        particle_.touch(kernel_, block_, block_.near_forces(), {contact_.column_begin, contact_.column_end, rows});
+    result_.largest_gap = std::max(result_.largest_gap, near_contact_.largest_gap / block_.mesh().row_height);
+  }
+
+  // The rows above the first are, and stay until the next search, higher than the particle's top; those from lifted_rows_ on are
+  // lower than its tip, though they may have been lifted by more than a radius.
+  void find_contact_rows() {
+    const double height = block_.mesh().row_height, margin = 0.25 + 3 * search_interval * step_;
+    const double top = particle_.top() - margin, bottom = particle_.tip() + margin;
+    const auto& view = block_.view();
+    int first = rows_moving_;
+    lifted_rows_ = 0;
+    for (int i = contact_.column_begin; i < contact_.column_end; ++i) {
+      const auto touches = [&](int j) { return view.contact_stiffness[block_.at(i, j)] > 0; };
+      const auto depth = [&](int j) { return j * height + view.u_z[block_.at(i, j)]; };
+      for (int j = 0; j < first; ++j)
+        if (touches(j) && depth(j) > top) first = j;
+      for (int j = rows_moving_; j >= lifted_rows_; --j)
+        if (touches(j) && depth(j) < bottom) lifted_rows_ = j + 1;
+    }
+    contact_.rows.begin = first / kernel_.lanes * kernel_.lanes;
+  }
+
+  bool has_ended() {
+    result_.depth = std::max(result_.depth, particle_.tip());
+    if (!std::isfinite(force()) || !std::isfinite(viscous_work_ + relaxing_work_))
+      return end(Outcome::unstable, "a force is not finite");
+    if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
+    if (std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step * collapsed_step > 1)
+      return end(Outcome::unstable, "the time step collapsed");
+    if (std::abs(particle_.speed()) > 10 * problem_.speed_factor)
+      return end(Outcome::unstable, "the particle is ten times faster than at impact");
+    if (const std::string failure = particle_.failure(); !failure.empty()) return end(Outcome::unstable, failure);
+    if (result_.largest_gap * block_.mesh().row_height > lost_contact)
+      return end(Outcome::unstable, "a node is half a radius inside the particle: its contact springs are too soft");
+    if (result_.steps >= most_steps) return end(Outcome::time_up, "");
+    if (speed_now() <= 0) return end(Outcome::stopped, "");
+    if (particle_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
+    if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
+    return false;
+  }
+
+  // At the time of the displacements.
+  double speed_now() const {
+    return particle_.speed() + particle_.speed_change(far_contact_, 0.5 * last_far_step_) +
+           particle_.speed_change(near_contact_, 0.5 * last_step_);
+  }
+
+  bool end(Outcome outcome, const std::string& reason) {
+    result_.outcome = outcome;
+    result_.reason = reason;
+    return true;
+  }
+
+  // The step of the particle and of what is near it; the far elements take substeps_ times as much.
+  void choose_step() {
+    const double first = 1 / limits_.first_step;
+    step_ =
+        std::min(stable_step(forces_.near_inverse_step), stable_step(std::max(far_inverse_step_, first)) / substeps_);
+    if (last_step_ > 0) step_ = std::min(step_, step_growth * last_step_);
+    step_ = std::min(step_, largest_travel * block_.mesh().row_height / problem_.speed_factor);
+    result_.smallest_step = std::min(result_.smallest_step, step_ / (limits_.time_step_factor * limits_.first_step));
+    if (substeps_ > 1)
+      sweep_.watch(std::max(1 / (longest_far_step * limits_.first_step), forces_.near_inverse_step / substeps_));
+  }
+
+  // Contact springs add kappa/dt_ref^2 to a node's squared frequency, and more where the particle's nodes swing as well.
+  double stable_step(double inverse_step) const {
+    const double factor = limits_.time_step_factor;
+    const double springs = limits_.largest_contact_stiffness_per_mass + particle_.spring_stiffness_per_mass();
+    return factor / std::sqrt(inverse_step * inverse_step + 0.25 * factor * factor * springs);
+  }
+
+  void move_far(double kick, double drift) {
+    sweep_.move_far(near_, rows_moving_, kick, drift);
+    particle_.kick(far_contact_, kick);
+  }
+
+  void move_near(double kick, double drift) {
+    sweep_.move_near(near_, kick, drift);
+    particle_.kick(near_contact_, kick);
+    particle_.drift(drift);
+    time_ += drift;
+    last_step_ = drift;
+  }
+
+  // Rows join the march when the last of those that move is no longer at rest.
+  void extend_front() {
+    const int rows = block_.mesh().rows;
+    if (rows_moving_ == rows) return;
+    const auto& view = block_.view();
+    for (int i = 0; i <= block_.mesh().columns(); ++i)
+      for (int j = rows_moving_ - front_rows; j < rows_moving_; ++j) {
+        const long n = block_.at(i, j);
+        if (std::abs(view.v_r[n]) > Real(rest_speed) || std::abs(view.v_z[n]) > Real(rest_speed)) {
+          rows_moving_ = std::min(rows, rows_moving_ + front_rows);
+          return;
+        }
+      }
+  }
+
+  // Brings velocities to the time of the displacements: the second half of the last kicks.
+  void synchronise() {
+    const double short_step = last_step_;
+    move_far(0.5 * last_far_step_, 0);
+    move_near(0.5 * short_step, 0);
+  }
+
+  // What look() makes of this moment, with velocities at the time of the displacements. Afterwards all stands where it stood.
+  template <class Look>
+  auto at_one_time(const Look& look) {
+    const std::vector<Real> motion = block_.motion();
+    const ParticleRun particle = particle_;
+    const double last_step = last_step_;
+    synchronise();
+    auto seen = look();
+    block_.put_back(motion);
+    particle_ = particle;
+    last_step_ = last_step;
+    return seen;
+  }
+
+  HistoryPoint history_point() {
+    const auto shares = [this] { return energy_shares(rows_moving_); };
+    return {time_, particle_.tip(), particle_.speed(), force(), at_one_time(shares)};
+  }
+
+  Moment moment() const { return {time_, particle_.tip(), result_.steps}; }
+
+  // Velocities as they stand.
+  Frame frame_as_is(bool is_last) const {
+    return {moment(), is_last, target_piece(block_, solid_), particle_.piece(problem_)};
+  }
+  Frame frame() {
+    return at_one_time([this] { return frame_as_is(false); });
+  }
+
+  // Of the rows down to this one; velocities stand at the time of the displacements.
+  EnergyLedger energy_shares(int rows) const {
+    EnergyLedger energy = stored_energy(block_, solid_, rows);
+    const ParticleEnergy own = particle_.energy();
+    energy.particle = own.kinetic;
+    energy.particle_elastic = own.stored;
+    energy.viscosity = viscous_work_ + own.viscous;
+    energy.relaxation = relaxing_work_;
+    energy.eroded = eroded_energy_;
+    energy.contact = far_contact_.spring_energy + near_contact_.spring_energy;
+    energy.contact_dropped = dropped_energy_;
+    for (const auto& [key, share] : energy_terms) energy.*share /= impact_energy_;
+    return energy;
+  }
+
+  double target_momentum() const {
+    double sum = 0;
+    for (int i = 0; i <= block_.mesh().columns(); ++i)
+      for (int j = 0; j <= block_.mesh().rows; ++j) sum += block_.mass(i, j) * block_.view().v_z[block_.at(i, j)];
+    const double particle_mass = 2 * impact_energy_ / (problem_.speed_factor * problem_.speed_factor);
+    return sum / particle_mass;
+  }
+
+  void close_the_books() {
+    const EnergyLedger energy = energy_shares(block_.mesh().rows);
+    result_.energy = energy;
+    result_.end_time = time_;
+    result_.end_speed = particle_.speed();
+    result_.sideways = particle_.sideways();
+    result_.turn = particle_.turn();
+    result_.target_momentum = target_momentum();
+    recorder_.finish({time_, particle_.tip(), particle_.speed(), force(), energy});
+    if (observer_) observer_->see(frame_as_is(true));
+    result_.history = recorder_.take();
+    result_.helper_cpu_seconds = sweep_.helper_cpu_seconds();
+    const bool closes = std::abs(energy.closure()) <= tolerated_energy_error;  // false for NaN
+    if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
+  }
+
+  const Problem& problem_;
+  const Kernel<Real>& kernel_;
+  const StepLimits limits_;
+  Block<Real> block_;
+  const TargetSolid solid_;
+  Sweep<Real> sweep_;
+  ParticleRun particle_;
+  Recorder recorder_;
+  FrameObserver* const observer_;  // null where nobody looks on
+  const int substeps_;
+  NearCells before_;         // those of the last move
+  NearCells near_;           // elements that take the short step
+  Rows around_{0, 0};        // rows of them around the particle
+  ContactRegion contact_{};  // nodes that the particle can meet
+  int lifted_rows_ = 0;
+  typename ParticleRun::Contact far_contact_, near_contact_;
+  SweepReport forces_;
+  ImpactResult result_;
+  double time_ = 0, step_ = 0, last_step_ = 0, last_far_step_ = 0, far_inverse_step_ = 0;
+  double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0, dropped_energy_ = 0;
+  int rows_moving_ = 0;
+  bool inside_out_ = false;  // an element that does not erode
+};
+
+// Which run each choice of a particle gets.
+template <class Real>
+struct MarchOf {
+  const Problem& problem;
+  FrameObserver* observer;
+  int threads;
+
+  ImpactResult operator()(const RigidSphere&) const { return with<SphereRun>(); }
+  ImpactResult operator()(const RigidPolygon&) const { return with<PolygonRun>(); }
+  ImpactResult operator()(const ElasticSphere&) const { return with<ElasticSphereRun>(); }
+  template <class ParticleRun>
+  ImpactResult with() const {
+    return March<Real, ParticleRun>(problem, observer, threads).run();
+  }
+};
+
+ImpactResult march(const Problem& problem, FrameObserver* observer, int threads) {
+  return problem.arithmetic == Arithmetic::single_precision
+             ? std::visit(MarchOf<float>{problem, observer, threads}, problem.particle)
+             : std::visit(MarchOf<double>{problem, observer, threads}, problem.particle);
+}
+
+}  // namespace
+
+ImpactResult run_impact(const Problem& problem, int threads) { return march(problem, nullptr, threads); }
+
+ImpactResult run_impact(const Problem& problem, FrameObserver& observer, int threads) {
+  return march(problem, &observer, threads);
+}
+
+}  // namespace percal

@@ -1,0 +1,52 @@
+#include "percal/impact/march/team.hpp"
+
+#include <pthread.h>
+#include <time.h>
+
+namespace percal {
+
+Team::Team(int workers) {
+  for (int worker = 1; worker < workers; ++worker) threads_.emplace_back([this, worker] { serve(worker); });
+}
+
+Team::~Team() {
+  over_ = true;
+  ++call_;
+  call_.notify_all();
+  for (auto& thread : threads_) thread.join();
+}
+
+double Team::helper_cpu_seconds() const {
+  double sum = 0;
+  for (const auto& thread : threads_) {
+    clockid_t clock{};
+    timespec now{};
+    if (pthread_getcpuclockid(const_cast<std::thread&>(thread).native_handle(), &clock) != 0) continue;
+    clock_gettime(clock, &now);
+    sum += static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+  return sum;
+}
+
+void Team::each(const std::function<void(int)>& work) {
+  work_ = &work;
+  busy_ = static_cast<int>(threads_.size());
+  if (!threads_.empty()) {
+    ++call_;
+    call_.notify_all();
+  }
+  work(0);
+  for (int left = busy_; left > 0; left = busy_) busy_.wait(left);
+}
+
+void Team::serve(int worker) {
+  for (long seen = 0;;) {
+    call_.wait(seen);
+    ++seen;
+    if (over_) return;
+    (*work_)(worker);
+    if (--busy_ == 0) busy_.notify_one();
+  }
+}
+
+}  // namespace percal

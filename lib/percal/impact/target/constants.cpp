@@ -1,0 +1,183 @@
+#include "percal/impact/target/constants.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "percal/impact/settings.hpp"
+
+namespace percal {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double undeformed_step(const GradedMesh& mesh, double mu, double bulk) {
+  double width = mesh.radius[1] - mesh.radius[0];
+  for (int i = 1; i < mesh.columns(); ++i) width = std::min(width, mesh.radius[i + 1] - mesh.radius[i]);
+  const double height = mesh.row_height;
+  return 1 / std::sqrt((bulk + 4.0 / 3 * mu) * (1 / (width * width) + 1 / (height * height)));
+}
+
+bool is_supersonic(const Problem& p) { return mach_number(p) * p.speed_factor >= 1; }
+
+struct Layer {
+  double mu, bulk, alpha, density;
+  double erosion_limit;  // as the scene means it
+  double wave_speed() const { return std::sqrt((bulk + 4.0 / 3 * mu) / density); }
+};
+
+struct LimitOf {
+  double operator()(const NoErosion&) const { return infinite; }
+  template <class Kind>
+  double operator()(const Kind& erosion) const {
+    return erosion.limit;
+  }
+};
+
+std::vector<Layer> layers_of(const Problem& p) {
+  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion)}};
+  const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
+  for (const LowerLayer& below : p.below)
+    layers.push_back(
+        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite});
+  return layers;
+}
+
+// Per density. Where even that wave is slower than the particle, nodes would pass through its springs: then the
+// particle's speed counts.
+double contact_modulus(const Problem& p, const Layer& layer) {
+  return std::max((least_bulk_ratio + 4.0 / 3) * layer.mu / layer.density, p.speed_factor * p.speed_factor);
+}
+
+PressureLaw pressure_law_of(VolumetricLaw law) {
+  switch (law) {
+    case VolumetricLaw::quadratic: return PressureLaw::quadratic;
+    case VolumetricLaw::logarithmic: return PressureLaw::logarithmic;
+    case VolumetricLaw::log_quadratic: break;
+  }
+  return PressureLaw::log_quadratic;
+}
+
+ErosionKind erosion_kind_of(const Erosion& erosion) {
+  if (std::holds_alternative<StressErosion>(erosion)) return ErosionKind::stress;
+  return std::holds_alternative<EnergyErosion>(erosion) ? ErosionKind::energy : ErosionKind::stretch;
+}
+
+}  // namespace
+
+GradedMesh mesh_of(const Problem& p) {
+  const GradedMesh right =
+      graded_mesh({p.elements_per_radius, p.fine_width, p.graded_columns, p.width, p.whole_depth()});
+  return p.whole ? mirrored(right) : right;
+}
+
+std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
+  const bool shock = is_supersonic(p);
+  const double linear = shock ? std::max(p.linear_viscosity, supersonic_linear) : p.linear_viscosity;
+  const double quadratic = shock ? std::max(p.quadratic_viscosity, supersonic_quadratic) : p.quadratic_viscosity;
+  const GradedMesh mesh = mesh_of(p);
+  std::vector<MaterialConstants> layers;
+  for (const Layer& layer : layers_of(p)) {
+    MaterialConstants c{.mu = layer.mu,
+                        .bulk = layer.bulk,
+                        .alpha = layer.alpha,
+                        .hourglass = p.hourglass,
+                        .linear_viscosity = linear * layer.density * layer.wave_speed(),
+                        .quadratic_viscosity = quadratic * quadratic * layer.density,
+                        .erosion_stretch = infinite,
+                        .smallest_jacobian = inverted_jacobian,
+                        .largest_inverse_step = infinite,
+                        .density = layer.density,
+                        .erosion_limit = infinite};
+    if (const auto* strain = std::get_if<StrainErosion>(&p.erosion))
+      c.erosion_stretch = stretch_at(layer.erosion_limit, strain->measure);
+    else
+      c.erosion_limit = layer.erosion_limit;
+    if (layer.erosion_limit < infinite) {
+      c.smallest_jacobian = distorted_jacobian;
+      c.largest_inverse_step =
+          1 / (distorted_step * undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
+    }
+    layers.push_back(c);
+  }
+  return layers;
+}
+
+TargetSolid::TargetSolid(const MaterialConstants& plain) : layers{{0, 1, plain}} {}
+
+TargetSolid::TargetSolid(const Problem& problem, const std::vector<LayerRows>& rows)
+    : pressure_law(pressure_law_of(problem.volumetric_law)),
+      hourglass_kind(problem.hourglass_form == HourglassForm::viscosity ? HourglassKind::viscosity
+                                                                        : HourglassKind::stiffness),
+      erosion_kind(erosion_kind_of(problem.erosion)) {
+  const std::vector<MaterialConstants> materials = constants_of_layers(problem);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (k == 0 || rows[k].begin < rows[k].end) layers.push_back({rows[k].begin, rows[k].end, materials[k]});
+  if (const auto* series = std::get_if<PronySeries>(&problem.relaxation))
+    for (const PronyTerm& term : series->terms) relaxation.push_back({term.share, term.time});
+  if (relaxation.size() > most_relaxing_terms) throw std::invalid_argument("a Prony series of more than three terms");
+}
+
+bool TargetSolid::is_plain() const {
+  return layers.size() == 1 && pressure_law == PressureLaw::log_quadratic &&
+         hourglass_kind == HourglassKind::stiffness && erosion_kind == ErosionKind::stretch && relaxation.empty();
+}
+
+const MaterialConstants& TargetSolid::of_row(int row) const {
+  std::size_t k = 0;
+  while (k + 1 < layers.size() && row >= layers[k].end) ++k;
+  return layers[k].material;
+}
+
+bool TargetSolid::erodes(int row) const {
+  const MaterialConstants& material = of_row(row);
+  return (erosion_kind == ErosionKind::stretch ? material.erosion_stretch : material.erosion_limit) < no_erosion;
+}
+
+double TargetSolid::lasting_share() const {
+  double share = 1;
+  for (const RelaxingTerm& term : relaxation) share -= term.share;
+  return share;
+}
+
+template <class Real>
+GeneralSolidView<Real> TargetSolid::view(Block<Real>& block) const {
+  GeneralSolidView<Real> view{.layers = layers.data(),
+                              .layer_count = static_cast<int>(layers.size()),
+                              .pressure_law = pressure_law,
+                              .hourglass_kind = hourglass_kind,
+                              .erosion_kind = erosion_kind,
+                              .hourglass = block.hourglass_velocity(),
+                              .relaxation = block.relaxation()};
+  view.relaxation.terms = static_cast<int>(relaxation.size());
+  for (std::size_t k = 0; k < relaxation.size(); ++k) view.relaxation.term[k] = relaxation[k];
+  return view;
+}
+
+template GeneralSolidView<float> TargetSolid::view(Block<float>&) const;
+template GeneralSolidView<double> TargetSolid::view(Block<double>&) const;
+
+std::vector<double> contact_stiffness_ratios(const Problem& p) {
+  const std::vector<Layer> layers = layers_of(p);
+  std::vector<double> ratios;
+  for (const Layer& layer : layers) ratios.push_back(contact_modulus(p, layer) / contact_modulus(p, layers.front()));
+  return ratios;
+}
+
+StepLimits step_limits(const Problem& p) {
+  const GradedMesh mesh = mesh_of(p);
+  const std::vector<Layer> layers = layers_of(p);
+  const double reference = undeformed_step(mesh, 0, contact_modulus(p, layers.front()));
+  const double contact = p.contact_stiffness / (reference * reference);
+  double first_step = infinite, largest_ratio = 1;
+  for (const Layer& layer : layers)
+    first_step = std::min(first_step, undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
+  for (const double ratio : contact_stiffness_ratios(p)) largest_ratio = std::max(largest_ratio, ratio);
+  return {.first_step = first_step,
+          .time_step_factor = is_supersonic(p) ? std::min(p.time_step_factor, supersonic_step) : p.time_step_factor,
+          .contact_stiffness_per_mass = contact,
+          .largest_contact_stiffness_per_mass = largest_ratio * contact};
+}
+
+}  // namespace percal

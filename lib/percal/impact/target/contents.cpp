@@ -1,0 +1,185 @@
+#include "percal/impact/target/contents.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "percal/impact/kernel/relaxing_stress.hpp"
+#include "percal/impact/kernel/uniform_solid.hpp"
+
+namespace percal {
+namespace {
+
+// Corners: inner upper, outer upper, outer lower, inner lower. Gradient in r and z of each corner's shape function, times the
+// element's width and height: -+1/2.
+constexpr double along_r[4] = {-0.5, 0.5, 0.5, -0.5}, along_z[4] = {-0.5, -0.5, 0.5, 0.5};
+constexpr double hourglass_mode[4] = {1, -1, 1, -1};
+
+template <class Real>
+std::array<long, 4> corners_of(const Block<Real>& block, int column, int row) {
+  return {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1), block.at(column, row + 1)};
+}
+
+// Of the solid when all that can relax has relaxed.
+scalar::ElasticConstants lasting_constants(const TargetSolid& solid, int row) {
+  const MaterialConstants& material = solid.of_row(row);
+  return {material.mu * solid.lasting_share(), material.bulk, material.alpha, solid.pressure_law};
+}
+
+// What has not relaxed yet: overstress of the Prony series on top of the share that lasts, docs/theory/target.md (6).
+template <class Real>
+scalar::Piola<double> unrelaxed(const Block<Real>& block, long element, const scalar::Gradient<double>& F) {
+  scalar::Symmetric<double> overstress{};
+  for (int k = 0; k < block.relaxing_terms(); ++k) {
+    const TensorField<const Real> H = block.overstress(k);
+    overstress = overstress + scalar::Symmetric<double>{H.rr[element], H.rz[element], H.zz[element], H.hoop[element]};
+  }
+  return scalar::pushed(F, overstress);
+}
+
+template <class Real>
+CellState state_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const scalar::ElasticConstants lasting = lasting_constants(solid, row);
+  const auto F = element_gradient(block, column, row);
+  const auto s = scalar::stretches(F);
+  const auto g = scalar::isochoric_powers(F, s, lasting.alpha);
+  auto P = scalar::elastic_piola(lasting, F, s, g);
+  const auto more = unrelaxed(block, block.at(column, row), F);
+  P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+  CellState state = cell_state(F, P, scalar::strain_energy(lasting, s, g));
+  state.stress[3] = 0 - state.stress[3];  // z is downwards, y upwards
+  return state;
+}
+
+}  // namespace
+
+template <class Real>
+scalar::Gradient<double> element_gradient(const Block<Real>& block, int column, int row) {
+  const auto& view = block.view();
+  const auto& shape = block.shapes()[column];
+  const auto corner = corners_of(block, column, row);
+  scalar::Gradient<double> F{1, 0, 0, 1, 1};
+  for (int a = 0; a < 4; ++a) {
+    const double ur = view.u_r[corner[a]], uz = view.u_z[corner[a]];
+    F.rr += along_r[a] * ur / shape.width;
+    F.rz += along_z[a] * ur / shape.height;
+    F.zr += along_r[a] * uz / shape.width;
+    F.zz += along_z[a] * uz / shape.height;
+    F.hoop += ur * shape.per_radius / 4;
+  }
+  F.hoop = std::max(F.hoop, 1e-3);
+  return F;
+}
+
+template <class Real>
+ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid, int column, int row,
+                             double last_step) {
+  const scalar::ElasticConstants lasting = lasting_constants(solid, row);
+  const auto& view = block.view();
+  const auto& shape = block.shapes()[column];
+  const auto corner = corners_of(block, column, row);
+  const double width = shape.width, height = shape.height, thickness = shape.thickness, per_radius = shape.per_radius,
+               volume = thickness * width * height;
+
+  const auto F = element_gradient(block, column, row);
+  double mode_r = 0, mode_z = 0;
+  for (int a = 0; a < 4; ++a) {
+    mode_r += hourglass_mode[a] * view.u_r[corner[a]];
+    mode_z += hourglass_mode[a] * view.u_z[corner[a]];
+  }
+  const auto s = scalar::stretches(F);
+  const auto g = scalar::isochoric_powers(F, s, lasting.alpha);
+  const double stiffness =
+      solid.hourglass_kind == HourglassKind::stiffness ? scalar::hourglass_stiffness(solid.of_row(row), shape) : 0;
+  ElementEnergy energy;
+  energy.elastic = volume * scalar::strain_energy(lasting, s, g);
+  energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
+  if (last_step > 0) {
+    const auto P = scalar::elastic_piola(lasting, F, s, g);
+    double power = 0;
+    for (int a = 0; a < 4; ++a) {
+      const double nr = along_r[a] / width, nz = along_z[a] / height;
+      const double fr =
+          -volume * (P.rr * nr + P.rz * nz + P.hoop * per_radius / 4) - stiffness * hourglass_mode[a] * mode_r;
+      const double fz = -volume * (P.zr * nr + P.zz * nz) - stiffness * hourglass_mode[a] * mode_z;
+      power += fr * view.v_r[corner[a]] + fz * view.v_z[corner[a]];
+    }
+    energy.last_work = 0.5 * last_step * power;
+  }
+  return energy;
+}
+
+template <class Real>
+EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid, int rows) {
+  const auto& view = block.view();
+  const auto& mesh = block.mesh();
+  EnergyLedger energy;
+  for (int i = 0; i <= mesh.columns(); ++i)
+    for (int j = 0; j <= rows; ++j) {
+      const double vr = view.v_r[block.at(i, j)], vz = view.v_z[block.at(i, j)];
+      const double kinetic = 0.5 * block.mass(i, j) * (vr * vr + vz * vz);
+      (block.has_live_element(i, j) ? energy.live_kinetic : energy.freed_mass) += kinetic;
+    }
+  for (int i = 0; i < mesh.columns(); ++i)
+    for (int j = 0; j < rows; ++j)
+      if (view.alive[block.at(i, j)] > 0) {
+        const auto element = element_energy(block, solid, i, j, 0);
+        energy.elastic += element.elastic;
+        energy.hourglass += element.hourglass;
+      }
+  return energy;
+}
+
+CellState cell_state(const scalar::Gradient<double>& F, const scalar::Piola<double>& P, double energy_density) {
+  const auto s = scalar::stretches(F);
+  const auto tau = scalar::kirchhoff(F, P);
+  const double J = s.jacobian;
+  CellState state{.stretches = {std::sqrt(s.first2), std::sqrt(s.second2), F.hoop},
+                  .stress = {tau.rr / J, tau.zz / J, tau.hoop / J, tau.rz / J},
+                  .energy_density = energy_density};
+  std::sort(state.stretches.rbegin(), state.stretches.rend());
+  return state;
+}
+
+template <class Real>
+TargetPiece target_piece(const Block<Real>& block, const TargetSolid& solid) {
+  const GradedMesh& mesh = block.mesh();
+  const auto& view = block.view();
+  TargetPiece piece;
+  for (int i = 0; i <= mesh.columns(); ++i)
+    for (int j = 0; j <= mesh.rows; ++j) {
+      const long n = block.at(i, j);
+      const Point u{view.u_r[n], -view.u_z[n]};
+      piece.position.push_back({mesh.radius[i] + u[0], -j * mesh.row_height + u[1]});
+      piece.displacement.push_back(u);
+      piece.velocity.push_back({view.v_r[n], -view.v_z[n]});
+    }
+  const auto point = [&](int i, int j) { return i * (mesh.rows + 1) + j; };
+  for (int i = 0; i < mesh.columns(); ++i) {
+    const ColumnShape& shape = block.shapes()[i];
+    for (int j = 0; j < mesh.rows; ++j) {
+      for (const int corner : {point(i, j + 1), point(i + 1, j + 1), point(i + 1, j), point(i, j)})
+        piece.corners.push_back(corner);
+      piece.ends.push_back(static_cast<int>(piece.corners.size()));
+      const bool eroded = !(view.alive[block.at(i, j)] > 0);
+      piece.eroded.push_back(eroded);
+      piece.states.push_back(eroded ? CellState{} : state_of(block, solid, i, j));
+      int layer = 0;
+      while (j >= block.layers()[layer].end) ++layer;
+      piece.layer.push_back(layer);
+      piece.volume.push_back(shape.thickness * shape.width * shape.height);
+    }
+  }
+  return piece;
+}
+
+template scalar::Gradient<double> element_gradient(const Block<float>&, int, int);
+template scalar::Gradient<double> element_gradient(const Block<double>&, int, int);
+template ElementEnergy element_energy(const Block<float>&, const TargetSolid&, int, int, double);
+template ElementEnergy element_energy(const Block<double>&, const TargetSolid&, int, int, double);
+template EnergyLedger stored_energy(const Block<float>&, const TargetSolid&, int);
+template EnergyLedger stored_energy(const Block<double>&, const TargetSolid&, int);
+template TargetPiece target_piece(const Block<float>&, const TargetSolid&);
+template TargetPiece target_piece(const Block<double>&, const TargetSolid&);
+
+}  // namespace percal

@@ -1,0 +1,216 @@
+// The solver's bits, pinned. Evaluations are kept for ever under a key with solver_version in it: were the bits to
+// change and the version not, old depths would be served as new ones.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "impact/element_reference.hpp"
+#include "impact/polygons.hpp"
+#include "impact/setting_s.hpp"
+#include "percal/base/version.hpp"
+#include "percal/impact/march/march.hpp"
+#include "percal/text/sha256.hpp"
+
+#if defined(__GLIBC__)
+#include <gnu/libc-version.h>
+#endif
+
+namespace percal {
+namespace {
+
+constexpr const char* what_to_do =
+    "The solver's bits have changed. Where nobody meant to, that is an error. Where it was meant: raise\n"
+    "solver_version in lib/percal/base/version.hpp, run `impact_test --gtest_filter=*PinnedSolver*` on a\n"
+    "processor that has all levels, and in tests/impact/pinned_solver_test.cpp write the version into\n"
+    "pinned_version and the lines that it prints into pinned_bits.";
+
+constexpr int pinned_version = 2;
+
+constexpr double scatter = 0.05;  // of a depth from level to level, by what erodes a step earlier or later
+
+// Of each run below, in their order, the first digits of the SHA-256 of all its numbers. By GCC 12 and glibc 2.36.
+using Bits = std::vector<std::string>;
+const std::map<std::string, Bits> pinned_bits{
+    {"x86_64_v2",
+     {"47812999d7b23e7e", "c3f1b89788925a62", "04ebff65f41f020c", "81432fed4167e203", "56f62fed5a161d34",
+      "95231d8b6ad166e8", "9c5cec84cb596cb5"}},
+    {"x86_64_v3",
+     {"69426fc37a4f2679", "7047ed5fc04d51a2", "7da51d20bf7b1cbd", "90f89394f4ea4a20", "5afbdb1b0fb34f6d",
+      "d9459b2dbc53929e", "347e46992e1f2519"}},
+    {"x86_64_v4",
+     {"d3dcfafa5405a591", "4f8b73824e4d2d7a", "533bfa79bf9aed52", "bb8c5beb9126f838", "430b1029a1657e99",
+      "af2000e65e575375", "dcc632f5b83c1b04"}},
+};
+
+struct PinnedRun {
+  std::string name;
+  Problem problem;
+  double depth;  // radii
+};
+
+Problem short_impact(Arithmetic arithmetic) {
+  Problem p = setting_s(6);
+  p.depth = 15;
+  p.end_time = 8;
+  p.arithmetic = arithmetic;
+  return p;
+}
+
+Problem rotating_prism() {
+  Problem p = prism_impact(turned(square_on_its_corner(), 0.3));
+  p.end_time = 5;
+  std::get<RigidPolygon>(p.particle).free_rotation = true;
+  return p;
+}
+
+// A body of revolution with a blunt tip.
+Problem cone() {
+  Problem p = short_impact(Arithmetic::double_precision);
+  p.end_time = 4;
+  p.particle = RigidPolygon{.vertices = {{-0.3, -0.8}, {0.3, -0.8}, {1, 0.6}, {-1, 0.6}}, .mass = 8};
+  return p;
+}
+
+Problem layers() {
+  Problem p = short_impact(Arithmetic::single_precision);
+  p.volumetric_law = VolumetricLaw::logarithmic;
+  p.depth = 2.3;
+  p.below = {{.depth = 1.4, .density = 1.2, .mu = 2 * p.mu(), .alpha = 4, .bulk_ratio = 30, .erosion_limit = 0.5},
+             {.depth = 12, .density = 0.9, .mu = p.mu(), .alpha = -3, .bulk_ratio = 60, .erosion_limit = 0.8}};
+  return p;
+}
+
+Problem relaxation() {
+  Problem p = short_impact(Arithmetic::double_precision);
+  p.end_time = 4;
+  p.relaxation = PronySeries{{{0.3, 0.4}, {0.25, 3}}};
+  p.hourglass_form = HourglassForm::viscosity;
+  p.erosion = EnergyErosion{1};
+  return p;
+}
+
+Problem elastic_particle() {
+  Problem p = short_impact(Arithmetic::single_precision);
+  p.end_time = 3;
+  p.particle = ElasticSphere{186, 0.42};
+  p.history_samples = 10;
+  return p;
+}
+
+std::vector<PinnedRun> pinned_runs() {
+  return {{"sphere to its end, single", setting_s(5), 29.6},
+          {"sphere, double", short_impact(Arithmetic::double_precision), 7.27},
+          {"prism", rotating_prism(), 4.01},
+          {"profile", cone(), 3.83},
+          {"layers", layers(), 7.23},
+          {"relaxation", relaxation(), 3.78},
+          {"elastic particle", elastic_particle(), 2.89}};
+}
+
+std::string numbers_of(const EnergyLedger& energy) {
+  std::string text;
+  for (const auto& [key, share] : energy_terms) text += fmt::format(" {:a}", energy.*share);
+  return text;
+}
+
+// All that a run says but for its processor time.
+std::string digest_of(const ImpactResult& r) {
+  std::string text =
+      fmt::format("{} {:a} {:a} {:a} {:a} {:a} {:a} {} {} {:a} {} {} {:a} {:a} {:a}", word(r.outcome), r.depth,
+                  r.end_time, r.end_speed, r.sideways, r.turn, r.target_momentum, r.elements, r.steps, r.element_steps,
+                  r.eroded, r.distorted, r.smallest_jacobian, r.smallest_step, r.largest_gap);
+  text += numbers_of(r.energy);
+  for (const HistoryPoint& point : r.history)
+    text +=
+        fmt::format(" {:a} {:a} {:a} {:a}", point.time, point.tip, point.speed, point.force) + numbers_of(point.energy);
+  return sha256(text).substr(0, 16);
+}
+
+// Why this is not the build whose bits are pinned; empty where it is.
+std::string other_build() {
+#if defined(__clang__) || !defined(__GNUC__) || __GNUC__ != 12
+  return "another compiler than GCC 12";
+#elif !defined(NDEBUG)
+  return "a build with assertions";
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return "a build with sanitizers";
+#elif defined(__FMA__) || defined(__FAST_MATH__)
+  return "a build with compiler flags of its own";
+#endif
+#if defined(__GLIBC__)
+  const std::string library = gnu_get_libc_version();
+  return library == "2.36" ? "" : "glibc " + library;
+#else
+  return "another C library than glibc 2.36";
+#endif
+}
+
+class PinnedSolver : public testing::TestWithParam<std::string> {
+ protected:
+  const std::string& level() const { return GetParam(); }
+  bool is_lacking() const {
+    for (const auto& kernels : kernels_here())
+      if (kernels.level == level()) return false;
+    return true;
+  }
+  // This same test in a process of its own, where the level can still be chosen. Returns whether it passed.
+  bool passes_on_its_level() const {
+    const std::string only = "--gtest_filter=*PinnedSolver.KeepsItsBits/" + level();
+    const pid_t child = fork();
+    if (child == 0) {
+      setenv("PERCAL_ISA", level().c_str(), 1);
+      execl("/proc/self/exe", "impact_test", only.c_str(), "--gtest_brief=1", nullptr);
+      _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+};
+
+TEST_P(PinnedSolver, KeepsItsBits) {
+  if (is_lacking()) GTEST_SKIP() << "this processor lacks " << level();
+  if (level() != instruction_level()) {
+    EXPECT_TRUE(passes_on_its_level()) << "said above";
+    return;
+  }
+  Bits found;
+  for (const auto& [name, problem, depth] : pinned_runs()) {
+    const ImpactResult result = run_impact(problem);
+    EXPECT_NE(result.outcome, Outcome::unstable) << name << ": " << result.reason;
+    EXPECT_NEAR(result.depth / depth, 1, scatter) << name;
+    found.push_back(digest_of(result));
+  }
+  const auto pinned = pinned_bits.find(level());
+  const std::string other = pinned == pinned_bits.end() ? "level " + level() : other_build();
+  if (!other.empty()) {
+    std::cout << other << ", whose bits are not pinned: depths alone were compared\n";
+    return;
+  }
+  EXPECT_EQ(found, pinned->second) << what_to_do << "\n"
+                                   << fmt::format("    {{\"{}\", {{\"{}\"}}}},", level(), fmt::join(found, "\", \""));
+}
+#if defined(__x86_64__)
+INSTANTIATE_TEST_SUITE_P(Levels, PinnedSolver, testing::Values("x86_64_v2", "x86_64_v3", "x86_64_v4"),
+                         [](const auto& level) { return level.param; });
+#else
+INSTANTIATE_TEST_SUITE_P(Levels, PinnedSolver, testing::Values("generic"),
+                         [](const auto& level) { return level.param; });
+#endif
+
+TEST(PinnedSolverVersion, IsTheOneThatThePinnedBitsBelongTo) {
+  EXPECT_EQ(pinned_version, solver_version)
+      << "solver_version was raised: run `impact_test --gtest_filter=*PinnedSolver*` and write version and bits into "
+         "tests/impact/pinned_solver_test.cpp";
+}
+
+}  // namespace
+}  // namespace percal
