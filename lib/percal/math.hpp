@@ -12,5 +12,4 @@
 #include "percal/math/gaussian_process.hpp"
 #include "percal/math/grid_convergence.hpp"
 #include "percal/math/polygon.hpp"
-#include "percal/math/sobol.hpp"
 #include "percal/math/statistics.hpp"

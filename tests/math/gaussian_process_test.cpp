@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "percal/math/correlation.hpp"
-#include "percal/math/sobol.hpp"
+#include "percal/math/draws.hpp"
 
 namespace percal {
 namespace {

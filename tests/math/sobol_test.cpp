@@ -1,8 +1,8 @@
-#include "percal/math/sobol.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
+
+#include "percal/math/draws.hpp"
 
 namespace percal {
 namespace {

@@ -1,3 +1,4 @@
+// What follows from a minimum's information and covariance alone.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,21 @@ MatrixXd correlation(const Minimum& minimum) {
   MatrixXd matrix = inverse.asDiagonal() * minimum.covariance * inverse.asDiagonal();
   matrix.diagonal().setOnes();
   return matrix;
+}
+
+std::vector<Advice> next_experiments(const Minimum& minimum, const Eigen::VectorXd& target_weight,
+                                     const std::vector<Candidate>& candidates) {
+  const Eigen::VectorXd target = minimum.covariance * target_weight;
+  const double now = target_weight.dot(target);
+  std::vector<Advice> advice;
+  for (const Candidate& candidate : candidates) {
+    const double predicted = candidate.gradient.dot(minimum.covariance * candidate.gradient);
+    const double shared = candidate.gradient.dot(target), whole = candidate.error * candidate.error + predicted;
+    const double gained = whole > 0 && now > 0 ? shared * shared / (whole * now) : 0;
+    advice.push_back({candidate.label, std::sqrt(std::max(0.0, 1 - gained))});
+  }
+  std::ranges::stable_sort(advice, {}, &Advice::width_ratio);
+  return advice;
 }
 
 }  // namespace percal

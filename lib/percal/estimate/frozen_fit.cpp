@@ -1,13 +1,13 @@
 #include "percal/estimate/frozen_fit.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <limits>
-
-#include "percal/estimate/quiet_ceres.hpp"
+#include <mutex>
 
 namespace percal {
 namespace {
@@ -179,6 +179,16 @@ FrozenFit frozen_fit(Evaluator& evaluator, const Weights& weights, const VectorX
   last_step(evaluator, weights, fit.searched, inner);
   fit.objective = whiten(problem, weights, evaluator.values(fit.searched), fit.searched).objective();
   return fit;
+}
+
+void quiet_ceres() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    if (google::IsGoogleLoggingInitialized()) return;
+    google::InitGoogleLogging("percal");
+    FLAGS_logtostderr = true;
+    FLAGS_minloglevel = 3;
+  });
 }
 
 }  // namespace percal

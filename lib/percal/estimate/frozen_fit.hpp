@@ -47,4 +47,15 @@ AtBound at_bound(const CalibrationProblem& problem, const Eigen::VectorXd& searc
 // All parameters but the held ones.
 std::vector<int> free_parameters(const CalibrationProblem& problem, const std::vector<Held>& held);
 
+// Throws BadInput where there are no data or parameters, or their numbers cannot be used.
+void check_problem(const CalibrationProblem& problem);
+
+// Fits with weights that are frozen, settled by repetition, from one point. Of a problem that is checked.
+Minimum settle(Evaluator& evaluator, const Eigen::VectorXd& start, const std::vector<Held>& held,
+               const SearchOptions& options);
+
+// glog prints on standard error even where Ceres is silent: this stops it, once. A host that has set glog up itself keeps its
+// settings. To be called before a ceres::Solve.
+void quiet_ceres();
+
 }  // namespace percal

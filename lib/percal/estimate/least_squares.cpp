@@ -6,10 +6,7 @@
 #include <utility>
 
 #include "percal/base/error.hpp"
-#include "percal/base/progress.hpp"
-#include "percal/estimate/connected.hpp"
 #include "percal/estimate/frozen_fit.hpp"
-#include "percal/estimate/global_search.hpp"
 #include "percal/estimate/scatter.hpp"
 
 namespace percal {
@@ -48,16 +45,6 @@ void check(const Datum& datum, const std::vector<ScatterGroup>& groups) {
   if (!group.estimated && !(std::hypot(datum.error, group.fixed) > 0))
     throw BadInput(place, "no error, in a group whose scatter is held at 0",
                    "an error of the datum, a scatter of its group, or one that is estimated");
-}
-
-void check(const CalibrationProblem& problem) {
-  if (problem.data.empty()) throw BadInput(at("data"), "none", "one datum or more to fit to");
-  if (problem.parameters.empty()) throw BadInput(at("parameters"), "none", "one free parameter or more");
-  for (const auto& free : problem.parameters) check(free);
-  for (const auto& group : problem.groups)
-    if (!(group.fixed >= 0) || !std::isfinite(group.fixed))
-      throw BadInput(at(group.name), "scatter " + std::to_string(group.fixed), "0 or a positive number");
-  for (const auto& datum : problem.data) check(datum, problem.groups);
 }
 
 VectorXd into_box(const CalibrationProblem& problem, VectorXd searched, const std::vector<Held>& held) {
@@ -107,6 +94,22 @@ Minimum nothing_found(const CalibrationProblem& problem, const VectorXd& start, 
   return minimum;
 }
 
+}  // namespace
+
+double FreeParameter::searched(double natural) const { return logarithmic ? std::log(natural) : natural; }
+
+double FreeParameter::natural(double searched) const { return logarithmic ? std::exp(searched) : searched; }
+
+void check_problem(const CalibrationProblem& problem) {
+  if (problem.data.empty()) throw BadInput(at("data"), "none", "one datum or more to fit to");
+  if (problem.parameters.empty()) throw BadInput(at("parameters"), "none", "one free parameter or more");
+  for (const auto& free : problem.parameters) check(free);
+  for (const auto& group : problem.groups)
+    if (!(group.fixed >= 0) || !std::isfinite(group.fixed))
+      throw BadInput(at(group.name), "scatter " + std::to_string(group.fixed), "0 or a positive number");
+  for (const auto& datum : problem.data) check(datum, problem.groups);
+}
+
 // Fit, look at the residuals, weigh anew, until nothing changes. In the second half of the rounds the scatter moves half the way
 // only, which ends a swing between two states.
 Minimum settle(Evaluator& evaluator, const VectorXd& start, const std::vector<Held>& held,
@@ -137,44 +140,13 @@ Minimum settle(Evaluator& evaluator, const VectorXd& start, const std::vector<He
   return minimum;
 }
 
-}  // namespace
-
-double FreeParameter::searched(double natural) const { return logarithmic ? std::log(natural) : natural; }
-
-double FreeParameter::natural(double searched) const { return logarithmic ? std::exp(searched) : searched; }
-
 Minimum refine(const CalibrationProblem& problem, const VectorXd& start, const std::vector<Held>& held,
                const SearchOptions& options) {
-  check(problem);
+  check_problem(problem);
   Evaluator evaluator(problem);
   Minimum minimum = settle(evaluator, start, held, options);
   minimum.evaluations = evaluator.evaluations();
   return minimum;
-}
-
-std::vector<Minimum> find_minima(const CalibrationProblem& problem, const SearchOptions& options) {
-  check(problem);
-  Evaluator evaluator(problem);
-  std::vector<Minimum> found;
-  const auto starts = promising_points(evaluator, options);
-  Progress progress("fits from the best starts", static_cast<long>(starts.size()));
-  for (const VectorXd& start : starts) {
-    found.push_back(settle(evaluator, start, {}, options));
-    progress.add();
-  }
-
-  // Converged ones first, then by deviance: those that did not converge are no minima unless nothing else was found.
-  std::ranges::stable_sort(found, [](const Minimum& a, const Minimum& b) {
-    return a.converged != b.converged ? a.converged : a.deviance < b.deviance;
-  });
-  std::vector<Minimum> distinct;
-  for (Minimum& minimum : found) {
-    if (!distinct.empty() && !minimum.converged) continue;
-    if (std::ranges::any_of(distinct, [&](const Minimum& kept) { return connected(problem, kept, minimum); })) continue;
-    minimum.evaluations = evaluator.evaluations();
-    distinct.push_back(std::move(minimum));
-  }
-  return distinct;
 }
 
 }  // namespace percal

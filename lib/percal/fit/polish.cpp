@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "percal/estimate/quiet_ceres.hpp"
+#include "percal/estimate/frozen_fit.hpp"
 
 namespace percal {
 namespace {

@@ -1,12 +1,12 @@
-#include "percal/estimate/global_search.hpp"
-
+// Every distinct minimum: starts from a search over the whole box, fits from them, and which of those are one.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlopt.hpp>
 #include <numeric>
 
 #include "percal/base/progress.hpp"
-#include "percal/estimate/scatter.hpp"
+#include "percal/estimate/profile.hpp"
 
 namespace percal {
 namespace {
@@ -80,8 +80,8 @@ std::vector<VectorXd> basin_bottoms(std::vector<Visited> visited, int most) {
   return bottoms;
 }
 
-}  // namespace
-
+// Starts for the local search, best first: points of a search over the whole box that have no better point near them. One or
+// more. The search is NLopt's DIRECT_L, which draws no random numbers.                docs/theory/calibration.md (9)
 std::vector<VectorXd> promising_points(Evaluator& evaluator, const SearchOptions& options) {
   const VectorXd low = lower_bounds(evaluator.problem()), high = upper_bounds(evaluator.problem());
   Progress progress("search for minima", options.global_evaluations);
@@ -91,6 +91,66 @@ std::vector<VectorXd> promising_points(Evaluator& evaluator, const SearchOptions
   auto starts = basin_bottoms(std::move(search.visited), std::max(1, options.starts));
   for (VectorXd& start : starts) start = low + (high - low).cwiseProduct(start);
   return starts;
+}
+
+constexpr double barrier = 0.1;  // of -2 ln likelihood: nothing that data could show
+constexpr int steps = 12;
+constexpr double same_place = 1e-4;  // of the box
+
+// Whether two minima are one: the same point, or points of one ridge, between which the objective rises by less than the barrier.
+// The parameter that is furthest off is led to its goal in small steps, the others fitted anew, and stays there; then the next. On a
+// ridge, straight or curved, the first one takes the others with it.
+bool connected(const CalibrationProblem& problem, const Minimum& from, const Minimum& to) {
+  const VectorXd width = upper_bounds(problem) - lower_bounds(problem);
+  VectorXd here = from.searched;
+  const auto off = [&](const VectorXd& there) {
+    return VectorXd((to.searched - there).cwiseQuotient(width).cwiseAbs());
+  };
+  if (off(here).maxCoeff() < same_place) return true;
+  if (std::abs(to.deviance - from.deviance) > barrier) return false;
+
+  Surroundings near(problem, from);
+  std::vector<int> held;
+  int furthest = 0;
+  while (off(here).maxCoeff(&furthest) >= same_place) {
+    if (std::ranges::find(held, furthest) != held.end()) return false;
+    held.push_back(furthest);
+    const double start = here[furthest];
+    for (int step = 1; step <= steps; ++step) {
+      here[furthest] = start + (to.searched[furthest] - start) * step / steps;
+      const auto point = near.fit_others(here, held);
+      if (!(point.rise < barrier)) return false;
+      here = point.searched;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Minimum> find_minima(const CalibrationProblem& problem, const SearchOptions& options) {
+  check_problem(problem);
+  Evaluator evaluator(problem);
+  std::vector<Minimum> found;
+  const auto starts = promising_points(evaluator, options);
+  Progress progress("fits from the best starts", static_cast<long>(starts.size()));
+  for (const VectorXd& start : starts) {
+    found.push_back(settle(evaluator, start, {}, options));
+    progress.add();
+  }
+
+  // Converged ones first, then by deviance: those that did not converge are no minima unless nothing else was found.
+  std::ranges::stable_sort(found, [](const Minimum& a, const Minimum& b) {
+    return a.converged != b.converged ? a.converged : a.deviance < b.deviance;
+  });
+  std::vector<Minimum> distinct;
+  for (Minimum& minimum : found) {
+    if (!distinct.empty() && !minimum.converged) continue;
+    if (std::ranges::any_of(distinct, [&](const Minimum& kept) { return connected(problem, kept, minimum); })) continue;
+    minimum.evaluations = evaluator.evaluations();
+    distinct.push_back(std::move(minimum));
+  }
+  return distinct;
 }
 
 }  // namespace percal
