@@ -46,28 +46,14 @@ double modulus_ratio(const System& from, const System& to) {
   return ratio(&System::target_density, from, to) * speeds * speeds;
 }
 
-double map_length(double length, const System& from, const System& to) { return length * length_ratio(from, to); }
-
 double map_penetration(double penetration, const System& from, const System& to) {
   return penetration * length_ratio(from, to);
 }
 
 double map_modulus(double mu, const System& from, const System& to) { return mu * modulus_ratio(from, to); }
 
-double map_target_density(double density, const System& from, const System& to) {
-  return density * ratio(&System::particle_density, from, to);
-}
-
 double map_time(double time, const System& from, const System& to) {
   return time * length_ratio(from, to) / ratio(&System::speed, from, to);
-}
-
-double map_strain_rate(double rate, const System& from, const System& to) {
-  return rate * ratio(&System::speed, from, to) / length_ratio(from, to);
-}
-
-double map_speed(double speed, const System& from, const System& to) {
-  return speed * std::sqrt(ratio(&System::mu, from, to) / ratio(&System::target_density, from, to));
 }
 
 Completion complete(const System& prototype, const System& given) {

@@ -11,16 +11,11 @@ namespace percal {
 
 // Each takes `from`'s numbers to `to`; both systems need the numbers that the formula names, and BadInput says which
 // one is missing. The first argument is the value in `from`, the result its counterpart in `to`.
-double length_ratio(const System& from, const System& to);               // S_L = a_to / a_from        Eq. 3-1
-double modulus_ratio(const System& from, const System& to);              // (rho_t v^2)_to / (rho_t v^2)_from  Eq. 4-1
-double map_length(double length, const System& from, const System& to);  // times S_L: depth, width
+double length_ratio(const System& from, const System& to);   // S_L = a_to / a_from        Eq. 3-1
+double modulus_ratio(const System& from, const System& to);  // (rho_t v^2)_to / (rho_t v^2)_from  Eq. 4-1
 double map_penetration(double penetration, const System& from, const System& to);  // times S_L (pi8)
 double map_modulus(double mu, const System& from, const System& to);               // times modulus_ratio (pi4)
-double map_target_density(double density, const System& from, const System& to);   // times rho_p_to / rho_p_from (pi5)
 double map_time(double time, const System& from, const System& to);                // times (a/v)_to / (a/v)_from (pi10)
-double map_strain_rate(double rate, const System& from, const System& to);         // times (v/a)_to / (v/a)_from (pi9)
-// times sqrt((mu/rho_t)_to / (mu/rho_t)_from) (pi4)
-double map_speed(double speed, const System& from, const System& to);
 
 // A number of the model that followed from the prototype, and the group that it followed from.
 struct Derived {
