@@ -138,7 +138,16 @@ TEST_F(ReadCalibrationJob, HypothesesHoldNumbersAndMakeChoices) {
   EXPECT_DOUBLE_EQ(job.hypotheses[1].contact_stiffness, 0.156);
 }
 
-TEST_F(ReadCalibrationJob, WithoutReadingsTheDataAreReadAsGiven) {
+TEST_F(ReadCalibrationJob, HypothesesMayBeCalledReadingsAsTheyOnceWere) {
+  const auto job = read_job({{"[[hypotheses]]\nname = \"free\"", "[[readings]]\nname = \"free\""},
+                             {"[[hypotheses]]\nname = \"held\"", "[[readings]]\nname = \"held\""},
+                             {"hypotheses = [\"free\"]", "readings = [\"free\"]"}});
+  ASSERT_EQ(job.hypotheses.size(), 2u);
+  EXPECT_EQ(job.hypotheses[1].name, "held");
+  EXPECT_THAT(job.cross_validations.at(0).hypotheses, ElementsAre(0));
+}
+
+TEST_F(ReadCalibrationJob, WithoutHypothesesTheDataAreReadAsGiven) {
   std::string text = calibrate_test::small_job;
   const auto from = text.find("[[hypotheses]]"), to = text.find("[[cross_validation]]");
   text.erase(from, to - from);

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 READERS = ["scene/*_toml.cpp", "scaling/system.cpp", "scaling/system_toml.cpp", "problem/scale_job.cpp",
-           "identify/read_job.cpp", "calibrate/read_*.cpp", "text/job_table.cpp"]
+           "identify/read_job.cpp", "calibrate/job/*.cpp", "text/job_table.cpp"]
 WRITERS = {"scene_to_toml.cpp"}
 GETTERS = ("quantity|quantities|quantity_pairs|optional_quantity|number|numbers|optional_number|integer|optional_integer|flag|text"
            "|texts|optional_text|word|table|tables|optional_table|path|optional_path|knows|has|is_array|is_text")
@@ -18,8 +18,8 @@ HELPERS = ("share|choice|angle|column_of|column_index|share_from|optional_share_
 LITERALS = [re.compile(rf'(?:\.|->)(?:{GETTERS})\(\s*"([^"]+)"'),
             re.compile(rf'\b(?:{HELPERS})\((?:\*?\w+,\s*)?"([^"]+)"'),
             re.compile(r'\{"([a-z_]+)",\s*(?:dimension::|"[^"]*",\s*"[^"]*",\s*dimension::|"[^"]*",\s*"[^"]*",\s*Dimension)')]
-# Cells of CSV tables, not keys: the columns of vertices, and of curves.
-NOT_KEYS = {"x", "y"}
+# Cells of CSV tables, the columns of vertices and of curves; and the older spelling of hypotheses.
+NOT_KEYS = {"x", "y", "readings"}
 
 
 def literals(root):

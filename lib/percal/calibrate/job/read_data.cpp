@@ -1,15 +1,35 @@
-// [[shots]]: rows of a table, or points written into the job.
+// Data: [[shots]], rows of a table or points written into the job, [[curves]], and the groups they scatter in, [scatter.NAME].
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "percal/calibrate/read_job.hpp"
+#include "percal/calibrate/job/read_job.hpp"
+#include "percal/fit/read_curves.hpp"
 #include "percal/text/job_table.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
+
+// Of the block's material.
+int material_index(const TomlTable& block, const CalibrationJob& job) {
+  const std::string name = block.text("material");
+  for (std::size_t m = 0; m < job.materials.size(); ++m)
+    if (job.materials[m].name == name) return static_cast<int>(m);
+  block.refuse("material", in_quotes(name), "a material of the job: " + names_of(job.materials));
+}
+
+// Of the block's scatter group: `fallback` where it names none, made where nobody has declared it.
+int group_index(const TomlTable& block, const std::string& fallback, CalibrationJob& job) {
+  const std::string name = block.text("scatter", fallback);
+  for (std::size_t g = 0; g < job.groups.size(); ++g)
+    if (job.groups[g].name == name) return static_cast<int>(g);
+  if (block.has("scatter") && name != fallback)
+    block.refuse("scatter", in_quotes(name), "a group of [scatter.NAME]: " + names_of(job.groups));
+  job.groups.push_back({.name = fallback, .estimated = true, .fixed = 0});
+  return static_cast<int>(job.groups.size()) - 1;
+}
 
 const Range length = positive("length"), density = positive("density"), speed = positive("speed");
 const std::vector<std::string> use_words{"fit", "predict"};
@@ -207,7 +227,55 @@ std::vector<MeasuredShot> shots_from(const TomlTable& block) {
   return block.has("file") ? shots_of_table(block) : shots_of_points(block);
 }
 
+// The command's own messages speak of its options; here the keys are checked first.
+CurveColumns columns_from(const TomlTable& block, const CsvTable& table) {
+  CurveColumns columns;
+  for (const auto& [key, column] : {std::pair{"x", &columns.x}, std::pair{"y", &columns.y}})
+    if (block.has(key)) *column = table.columns[column_index(block, key, table)].header;
+  columns.mode = block.text("mode", "");
+  const bool mode_column = table.find("mode").has_value();
+  if (block.has("mode") && mode_column)
+    block.refuse("mode", "mode beside a column \"mode\" of " + table.file,
+                 "one of them; where = [\"mode=...\"] to choose rows");
+  if (!mode_column && !deformation_of(columns.mode))
+    block.refuse("mode",
+                 block.has("mode") ? in_quotes(columns.mode) : "no such key, and no column \"mode\" in " + table.file,
+                 deformation_words());
+  return columns;
+}
+
+MeasuredCurve curve_from(const TomlTable& block, CalibrationJob& job) {
+  const CsvTable table = table_of(block);
+  MeasuredCurve curve{.name = block.text("name"),
+                      .material = material_index(block, job),
+                      .data = curves_of(table, columns_from(block, table)),
+                      .relative_error = share_from(block, "error", not_negative("share"), 0),
+                      .rate_factor = block.number("rate_factor", positive("factor"), 1),
+                      .rate_factor_error = share_from(block, "rate_factor_error", not_negative("share"), 0),
+                      .group = group_index(block, "curves", job),
+                      .synthetic = block.flag("synthetic", false)};
+  if (std::all_of(curve.data.points.begin(), curve.data.points.end(),
+                  [](const StressPoint& point) { return point.nominal_stress == 0; }))
+    block.refuse("file", "no stress other than 0 in " + table.file, "a curve with stresses");
+  return curve;
+}
+
 }  // namespace
+
+void read_scatter_groups(const TomlTable& root, CalibrationJob& job) {
+  const auto blocks = root.optional_table("scatter");
+  if (!blocks) return;
+  for (const std::string& name : blocks->keys()) {
+    const TomlTable block = blocks->table(name);
+    ScatterGroup group{.name = name, .estimated = block.flag("estimated", !block.has("fixed")), .fixed = 0};
+    const auto fixed = optional_share_from(block, "fixed", not_negative("share"));
+    if (group.estimated == fixed.has_value())
+      block.refuse("fixed", fixed ? "fixed beside estimated = true" : "no such key beside estimated = false",
+                   "estimated = true, or fixed = SHARE");
+    group.fixed = fixed.value_or(0);
+    job.groups.push_back(group);
+  }
+}
 
 void read_shots(const TomlTable& root, CalibrationJob& job) {
   for (const TomlTable& block : root.tables("shots")) {
@@ -226,6 +294,15 @@ void read_shots(const TomlTable& root, CalibrationJob& job) {
       check_width(block, job, shot);
       job.shots.push_back(std::move(shot));
     }
+  }
+}
+
+void read_job_curves(const TomlTable& root, CalibrationJob& job) {
+  for (const TomlTable& block : root.tables("curves")) {
+    MeasuredCurve curve = curve_from(block, job);
+    for (const MeasuredCurve& other : job.curves)
+      if (other.name == curve.name) block.refuse("name", in_quotes(curve.name) + " again", "a name of its own");
+    job.curves.push_back(std::move(curve));
   }
 }
 

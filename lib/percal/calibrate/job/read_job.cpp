@@ -1,4 +1,6 @@
-// [parameters.NAME] and [materials.NAME].
+// A job's head: the file, its settings, [training], [parameters.NAME] and [materials.NAME].
+#include "percal/calibrate/job/read_job.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,11 +8,44 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "percal/calibrate/read_job.hpp"
+#include "percal/invert/emulator.hpp"
+#include "percal/scene/scene_toml.hpp"
+#include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
+
+const Range confidence{.low = 0.5, .high = 0.9999, .words = "a confidence from 0.5 to 0.9999"};
+
+SolverScene read_solver(const TomlTable& root) {
+  const auto block = root.optional_table("solver");
+  if (!block) return {};
+  const SolverScene solver = solver_from(*block);
+  if (solver.end_time)
+    block->refuse("end_time", "a time for all spheres, small and large",
+                  "no end_time in a job: runs end when the sphere stops");
+  return solver;
+}
+
+std::optional<double> percentage(std::string text) {
+  while (text.ends_with(' ')) text.pop_back();
+  if (!text.ends_with('%')) return std::nullopt;
+  text.pop_back();
+  while (text.ends_with(' ')) text.pop_back();
+  try {
+    const Quantity quantity = parse_quantity(text);
+    if (quantity.dimension == dimension::none) return quantity.value / 100;
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
+}
+
+constexpr int most_elements_per_radius = 1000, most_runs = 1000000;
+constexpr int least_initial_runs = 2 * sphere_inputs;  // fewer make no emulator
+const Range share{.low = 0, .high = 1, .words = "a share from 0 to 1, as 0.15 or \"15 %\""};
+const Range some_share{
+    .low = 0, .high = 1, .low_open = true, .words = "a share above 0 and up to 1, as 0.5 or \"50 %\""};
 
 const std::vector<std::string> kind_words{"modulus", "exponent", "erosion strain"};  // as ParameterKind
 constexpr double smallest_exponent = 1e-3;                                           // the solver divides by it
@@ -128,8 +163,6 @@ CalibrationMaterial material_from(const TomlTable& block, const std::string& nam
   return material;
 }
 
-}  // namespace
-
 void read_parameters(const TomlTable& root, CalibrationJob& job) {
   const TomlTable blocks = root.table("parameters");
   for (const std::string& name : blocks.keys()) {
@@ -145,11 +178,63 @@ void read_materials(const TomlTable& root, CalibrationJob& job) {
   if (job.materials.empty()) root.refuse("materials", "no material", "one [materials.NAME] or more");
 }
 
-int material_index(const TomlTable& block, const CalibrationJob& job) {
-  const std::string name = block.text("material");
-  for (std::size_t m = 0; m < job.materials.size(); ++m)
-    if (job.materials[m].name == name) return static_cast<int>(m);
-  block.refuse("material", in_quotes(name), "a material of the job: " + names_of(job.materials));
+void read_training(const TomlTable& root, CalibrationJob& job) {
+  const auto block = root.optional_table("training");
+  if (!block) return;
+  TrainingSettings& t = job.training;
+  t.coarse = block->integer("coarse", 1, most_elements_per_radius, t.coarse);
+  t.fine = block->integer("fine", 1, most_elements_per_radius, t.fine);
+  t.verify = block->integer("verify", 1, most_elements_per_radius, t.verify);
+  if (t.fine < t.coarse) block->refuse("fine", "a mesh coarser than coarse", "as many elements per radius or more");
+  if (t.verify < t.fine) block->refuse("verify", "a mesh coarser than fine", "as many elements per radius or more");
+  t.initial = block->integer("initial", least_initial_runs, most_runs, t.initial);
+  t.batch = block->integer("batch", 1, most_runs, t.batch);
+  t.most = block->integer("most", t.initial, most_runs, std::max(t.most, t.initial));
+  t.fine_share = share_from(*block, "fine_share", share, t.fine_share);
+  t.accuracy = share_from(*block, "accuracy", some_share, t.accuracy);
+  t.failures_tolerated = share_from(*block, "failures_tolerated", share, t.failures_tolerated);
+  t.verify_replicates = block->integer("verify_replicates", 1, 100, t.verify_replicates);
+  t.seed = static_cast<unsigned>(block->integer("seed", 0, 2147483647, static_cast<int>(t.seed)));
+}
+
+}  // namespace
+
+std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range) {
+  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", ""});
+  if (!block.is_text(key)) return block.optional_number(key, range);
+  const std::string text = block.text(key);
+  const auto share = percentage(text);
+  if (!share || !contains(range, *share)) block.refuse(key, in_quotes(text), words_of(range) + ", as 0.05 or \"5 %\"");
+  return share;
+}
+
+double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback) {
+  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", fmt::format("{}", fallback)});
+  return optional_share_from(block, key, range).value_or(fallback);
+}
+
+CalibrationJob read_calibration_job(const std::string& path) {
+  CalibrationJob job;
+  job.file = path;
+  job.text = read_file(path);
+  const TomlTable root = parse_toml(job.text, path);
+  job.title = root.text("title", path);
+  job.level = root.number("level", confidence, job.level);
+  job.bootstrap = root.integer("bootstrap", 0, 100000, job.bootstrap);
+  job.dehn = root.flag("dehn", job.dehn);
+  job.solver = read_solver(root);
+  read_training(root, job);
+  read_parameters(root, job);
+  read_materials(root, job);
+  read_scatter_groups(root, job);
+  read_shots(root, job);
+  read_job_curves(root, job);
+  read_hypotheses(root, job);
+  read_cross_validations(root, job);
+  read_published(root, job);
+  root.finish();
+  check_use(root, job);
+  return job;
 }
 
 }  // namespace percal

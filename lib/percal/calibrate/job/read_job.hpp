@@ -1,0 +1,35 @@
+// The readers of a calibration job: each takes the root table and adds to the job what it has read. They throw BadInput. The order
+// in read_calibration_job is the order in which they need each other.
+#pragma once
+#include <string>
+
+#include "percal/calibrate/job.hpp"
+#include "percal/text/toml.hpp"
+
+namespace percal {
+
+// read_data.cpp
+void read_scatter_groups(const TomlTable& root, CalibrationJob& job);
+void read_shots(const TomlTable& root, CalibrationJob& job);
+void read_job_curves(const TomlTable& root, CalibrationJob& job);
+
+// read_hypotheses.cpp
+void read_hypotheses(const TomlTable& root, CalibrationJob& job);
+void read_cross_validations(const TomlTable& root, CalibrationJob& job);
+void read_published(const TomlTable& root, CalibrationJob& job);
+// Numbers, materials and groups that nothing uses, parameters that no fitted datum depends on.
+void check_use(const TomlTable& root, const CalibrationJob& job);
+
+// A share of 1: a number, or a text in percent, "5 %".
+double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback);
+std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range);
+
+// "a, b": names of blocks, for messages.
+template <class Named>
+std::string names_of(const std::vector<Named>& all) {
+  std::string text;
+  for (const Named& one : all) text += (text.empty() ? "" : ", ") + one.name;
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace percal
