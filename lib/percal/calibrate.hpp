@@ -11,6 +11,5 @@
 #pragma once
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/job.hpp"
-#include "percal/calibrate/limits.hpp"
 #include "percal/calibrate/page/page.hpp"
 #include "percal/calibrate/result.hpp"

@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "calibrate/gel_job.hpp"
-#include "percal/calibrate/hypothesis.hpp"
+#include "percal/calibrate/hypothesis_fit.hpp"
 #include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
 #include "percal/estimate/intervals.hpp"
 #include "percal/math/distributions.hpp"
 #include "percal/math/draws.hpp"
-#include "percal/math/sobol.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {

@@ -5,13 +5,13 @@
 #include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/math/draws.hpp"
-#include "percal/math/sobol.hpp"
 
 namespace percal::test {
 
 // ln(depth/radius): softer, faster, heavier goes deeper; harder to erode goes less deep.
 inline double smooth_law(const SphereInputs& at) {
-  return 2 + 0.35 * at[0] - 0.5 * at[1] - 0.05 * at[2] - 0.5 * std::log(at[3]) + 0.02 * at[0] * at[2];
+  return 2 + 0.35 * at.log_pi4 - 0.5 * at.log_pi5 - 0.05 * at.alpha - 0.5 * std::log(at.erosion_strain) +
+         0.02 * at.log_pi4 * at.alpha;
 }
 
 inline Emulator emulator_of_the_smooth_law(int runs = 150, double noise = 0.002) {

@@ -4,8 +4,7 @@
 
 #include "calibrate/gel_job.hpp"
 #include "percal/calibrate/error_budget.hpp"
-#include "percal/calibrate/hypothesis.hpp"
-#include "percal/calibrate/plausible.hpp"
+#include "percal/calibrate/hypothesis_fit.hpp"
 
 namespace percal {
 namespace {
@@ -53,7 +52,7 @@ TEST_F(JobFits, AShotMoreThanMeasuredDeepIsNoMisfitWhereItWasOnlySeenToGoThatFar
 TEST_F(JobFits, TheSpeedsErrorCountsThroughTheSlopeOfTheDepth) {
   for (auto& shot : job_.shots) shot.speed_error = 0.02 * shot.speed;
   const JobFit found = fit();
-  const VectorXd exponents = model().speed_exponents(found.at, found.shots);
+  const VectorXd exponents = model().speed_exponents(found.at, shots_of(job_, found.shots));
   for (std::size_t i = 0; i < found.shots.size(); ++i)
     EXPECT_NEAR(found.problem.data[i].error, 0.02 * exponents[static_cast<Eigen::Index>(i)], 1e-4);
 }

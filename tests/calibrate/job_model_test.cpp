@@ -1,15 +1,14 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/gel_job.hpp"
+#include "percal/campaign/sphere_runs.hpp"
 
 namespace percal {
 namespace {
 
 using Eigen::VectorXd;
 
-std::vector<int> all(const CalibrationJob& job) { return used_shots(job); }
-
-void expect_jacobian_by_differences(const JobModel& model, const VectorXd& at, const std::vector<int>& shots) {
+void expect_jacobian_by_differences(const JobModel& model, const VectorXd& at, std::span<const MeasuredShot> shots) {
   const auto answer = model.log_depths(at, shots, Want::values);
   for (Eigen::Index j = 0; j < at.size(); ++j) {
     VectorXd up = at, down = at;
@@ -37,7 +36,7 @@ TEST(FiniteElementModel, ItsJacobianIsThatOfItsDepths) {
     CalibrationJob job = test::gel_job();
     job.hypotheses[0].convention = convention;
     const auto model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), 0.1);
-    expect_jacobian_by_differences(model, somewhere(model), all(job));
+    expect_jacobian_by_differences(model, somewhere(model), job.shots);
   }
 }
 
@@ -45,12 +44,11 @@ TEST(FiniteElementModel, ItsSpeedExponentIsThatOfItsDepths) {
   CalibrationJob job = test::gel_job();
   const auto emulator = test::emulator_of_the_smooth_law();
   const auto model = finite_element_model(job, job.hypotheses[0], emulator, 0.1);
-  const VectorXd at = somewhere(model), exponents = model.speed_exponents(at, all(job));
+  const VectorXd at = somewhere(model), exponents = model.speed_exponents(at, job.shots);
   CalibrationJob faster = job;
   for (auto& shot : faster.shots) shot.speed *= 1.0001;
-  const auto other = finite_element_model(faster, faster.hypotheses[0], emulator, 0.1);
   const VectorXd slope =
-      (other.log_depths(at, all(job), Want::values).value - model.log_depths(at, all(job), Want::values).value) /
+      (model.log_depths(at, faster.shots, Want::values).value - model.log_depths(at, job.shots, Want::values).value) /
       std::log(1.0001);
   EXPECT_LT((slope - exponents).cwiseAbs().maxCoeff(), 1e-3);
 }
@@ -60,7 +58,7 @@ TEST(FiniteElementModel, AHeldParameterIsNotSearched) {
   job.hypotheses[0].held[1] = 7;
   const auto model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), 0.1);
   EXPECT_EQ(model.of_job, (std::vector<int>{0, 2}));
-  EXPECT_EQ(natural_values(job, job.hypotheses[0], model, somewhere(model))[1], 7);
+  EXPECT_EQ(natural_values(job, job.hypotheses[0], model.of_job, somewhere(model))[1], 7);
 }
 
 TEST(FiniteElementModel, HeldAsMu1AModulusIsAlphaHalvesAsStiff) {
@@ -79,7 +77,7 @@ TEST(FiniteElementModel, StressesOfACurveAreThoseOfTheOgdenSolid) {
   job.curves = {curve};
   const auto model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), 0.1);
   const VectorXd at = somewhere(model);
-  const auto natural = natural_values(job, job.hypotheses[0], model, at);
+  const auto natural = natural_values(job, job.hypotheses[0], model.of_job, at);
   const auto answer = model.stresses(at, Want::values);
   for (std::size_t i = 0; i < curve.data.points.size(); ++i)
     EXPECT_NEAR(answer.value[static_cast<Eigen::Index>(i)] * 1000,
@@ -97,7 +95,7 @@ TEST(DehnModel, ItsJacobianIsThatOfItsDepths) {
   const CalibrationJob job = test::gel_job();
   const auto model = dehn_model(job);
   ASSERT_EQ(model.parameters.size(), 2u) << "c and one s";
-  expect_jacobian_by_differences(model, somewhere(model), all(job));
+  expect_jacobian_by_differences(model, somewhere(model), job.shots);
 }
 
 TEST(DehnModel, MaterialsWithOneModulusShareTheirStrength) {
@@ -113,11 +111,8 @@ TEST(ShotProblem, TheEmulatorsInputsAreThoseOfTheProblemThatIsRun) {
   const MaterialAt material = material_at(job, job.hypotheses[0], 0, {150e3, 8, 0.9});
   for (const auto& shot : job.shots) {
     const Problem problem = shot_problem(job, job.hypotheses[0], shot, material, 8);
-    const auto inputs = shot_inputs(shot, material).at;
-    EXPECT_NEAR(inputs[0], std::log(problem.pi4), 1e-9);
-    EXPECT_NEAR(inputs[1], -std::log(problem.density_ratio), 1e-9);
-    EXPECT_NEAR(inputs[4], std::log(problem.depth), 1e-9);
-    EXPECT_NEAR(inputs[5], std::log(problem.bulk_ratio), 1e-9);
+    const Eigen::VectorXd rounding = in_order(shot_inputs(shot, material).at) - in_order(inputs_of(problem));
+    EXPECT_LT(rounding.cwiseAbs().maxCoeff(), 1e-11);
   }
 }
 

@@ -44,10 +44,10 @@ TEST_F(SphereRunsTest, FinishedRunsAreRowsToLearnFrom) {
   EXPECT_EQ(spheres[0].depth_over_radius, first.result.depth);
   EXPECT_EQ(spheres[0].cpu_seconds, first.cpu_seconds);
   EXPECT_EQ(spheres[1].depth_over_radius, second.result.depth);
-  const TrainingRun run = training_run(spheres[1]);
+  const TrainingRun run = training_run(replicate, second.result.depth);
   EXPECT_EQ(run.h, 0.25);
   EXPECT_EQ(run.log_depth, std::log(second.result.depth));
-  EXPECT_NEAR(run.at[0], std::log(6 * 1.001 * 1.001), 1e-12);
+  EXPECT_NEAR(run.at.log_pi4, std::log(6 * 1.001 * 1.001), 1e-12);
 }
 
 TEST_F(SphereRunsTest, ASphereThatDidNotStopHasNoDepth) {
@@ -93,7 +93,7 @@ TEST(InputsOf, ALimitIsTheSameInEveryMeasure) {
   Problem p = quick();
   for (const auto measure : {StrainMeasure::true_strain, StrainMeasure::green_lagrange}) {
     p.erosion = StrainErosion{strain_at(1.7, measure), measure};
-    EXPECT_NEAR(inputs_of(p)[3], 0.7, 1e-14);
+    EXPECT_NEAR(inputs_of(p).erosion_strain, 0.7, 1e-14);
   }
 }
 
@@ -105,7 +105,7 @@ TEST(InputsOf, AReplicatesSpeedIsPartOfPi4) {
   replicate.arithmetic = other.arithmetic = Arithmetic::double_precision;
   replicate.erosion = other.erosion = StrainErosion{50};  // one that erodes doubles every rounding
   replicate.density_ratio = other.density_ratio = 0.2;
-  EXPECT_NEAR(inputs_of(replicate)[0], inputs_of(other)[0], 1e-12);
+  EXPECT_NEAR(inputs_of(replicate).log_pi4, inputs_of(other).log_pi4, 1e-12);
   Campaign campaign(nullptr, 1);
   const double depth = campaign.evaluate(replicate).result.depth;
   EXPECT_NEAR(campaign.evaluate(other).result.depth, depth, 1e-3 * depth);

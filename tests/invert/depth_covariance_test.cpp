@@ -5,8 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "percal/invert/depth_features.hpp"
-#include "percal/math/sobol.hpp"
+#include "percal/math/draws.hpp"
 
 namespace percal {
 namespace {
@@ -101,10 +100,10 @@ TEST(DepthFeatures, GradientsComeBackToTheInputs) {
     const SphereInputs at{3, -1, alpha, 0.6, 4.4, 5};
     const Eigen::VectorXd gradient = by_inputs(at, by_features);
     for (int j = 0; j < sphere_inputs; ++j) {
-      const double step = j == 2 ? 1e-5 : 1e-6;
+      const double step = j == index_of(&SphereInputs::alpha) ? 1e-5 : 1e-6;
       SphereInputs above = at, below = at;
-      above[j] += step;
-      below[j] -= step;
+      above.*sphere_input_order[j] += step;
+      below.*sphere_input_order[j] -= step;
       const double difference = by_features.dot(depth_features(above) - depth_features(below)) / (2 * step);
       EXPECT_NEAR(gradient[j], difference, 1e-5) << "input " << j << ", alpha " << alpha;
     }

@@ -9,7 +9,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/invert/emulator_search.hpp"
-#include "percal/math/sobol.hpp"
+#include "percal/math/draws.hpp"
 
 namespace percal {
 namespace {
@@ -40,11 +40,11 @@ std::vector<SphereInputs> box_points(int count, int skip) {
 
 // A depth as smooth and as curved as a sphere's; layer depth and K/mu hardly matter.
 double smooth_depth(const SphereInputs& at) {
-  const double pi4 = at[0], density = -at[1], alpha = at[2], strain = at[3];
+  const double pi4 = at.log_pi4, density = -at.log_pi5, alpha = at.alpha, strain = at.erosion_strain;
   return 0.4 * density + std::log(2 + 0.5 * pi4 * pi4) - 0.05 * alpha - 0.8 * strain - 0.02 * alpha * strain +
-         0.05 * std::sin(2 * pi4 + strain) + 0.01 * at[4];
+         0.05 * std::sin(2 * pi4 + strain) + 0.01 * at.log_layer_depth;
 }
-double mesh_part(const SphereInputs& at) { return 0.06 + 0.02 * (at[0] - 3) + 0.03 * (at[3] - 0.7); }
+double mesh_part(const SphereInputs& at) { return 0.06 + 0.02 * (at.log_pi4 - 3) + 0.03 * (at.erosion_strain - 0.7); }
 
 std::vector<TrainingRun> runs_of(const std::vector<SphereInputs>& at, double h, double noise, Noise& normal) {
   std::vector<TrainingRun> runs;
@@ -143,8 +143,8 @@ TEST(Emulator, GradientsAreDerivatives) {
       for (int j = 0; j < sphere_inputs; ++j) {
         constexpr double step = 1e-5;
         SphereInputs above = at, below = at;
-        above[j] += step;
-        below[j] -= step;
+        above.*sphere_input_order[j] += step;
+        below.*sphere_input_order[j] -= step;
         const Eigen::VectorXd ends = emulator.depth({above, below}, h, false).log_depth;
         EXPECT_NEAR(gradient(0, j), (ends[0] - ends[1]) / (2 * step), 1e-6) << "input " << j;
       }
@@ -217,7 +217,7 @@ TEST(Emulator, TheSameRunsGiveTheSameBits) {
 }
 
 TEST(Emulator, AnInputThatNeverVariesDoesNoHarm) {
-  const auto hold = [](SphereInputs& point) { point[4] = 4.5, point[1] = -1; };
+  const auto hold = [](SphereInputs& point) { point.log_layer_depth = 4.5, point.log_pi5 = -1; };
   Noise normal;
   auto at = box_points(120, 0);
   for (SphereInputs& point : at) hold(point);
@@ -226,7 +226,7 @@ TEST(Emulator, AnInputThatNeverVariesDoesNoHarm) {
 }
 
 TEST(Emulator, AnInputThatFollowsAnotherDoesNoHarm) {
-  const auto follow = [](SphereInputs& point) { point[5] = std::max(std::log(50.0), point[0] + 2.4); };
+  const auto follow = [](SphereInputs& point) { point.log_bulk_ratio = std::max(std::log(50.0), point.log_pi4 + 2.4); };
   Noise normal;
   auto at = box_points(120, 0);
   for (SphereInputs& point : at) follow(point);
@@ -243,7 +243,7 @@ TEST(Emulator, TooFewRunsAndNumbersThatAreNoneAreRefused) {
   broken[4].log_depth = std::nan("");
   EXPECT_THROW(Emulator(broken, EmulatorOptions{}), BadInput);
   broken = runs;
-  broken[4].at[3] = 0;
+  broken[4].at.erosion_strain = 0;
   EXPECT_THROW(Emulator(broken, EmulatorOptions{}), BadInput);
   runs.pop_back();
   EXPECT_THROW(Emulator(runs, EmulatorOptions{}), BadInput);
@@ -272,8 +272,8 @@ Choice some_choice() {
   // Four about each target: what one of them tells, the others need not.
   for (int i = 0; i < 12; ++i) {
     SphereInputs at = choice.targets[i % 3];
-    at[0] += 0.25 * (i / 3);
-    at[1] += 0.3 * (i % 2);
+    at.log_pi4 += 0.25 * (i / 3);
+    at.log_pi5 += 0.3 * (i % 2);
     choice.candidates.push_back({at, i < 3 ? 0.05 : 0.15, i < 3 ? 3.0 : 1.0});
   }
   return choice;

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "percal/calibrate/dehn_fit.hpp"
-#include "percal/calibrate/hypothesis.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
-#include "percal/calibrate/plausible.hpp"
+#include "percal/calibrate/hypothesis_fit.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
 
@@ -22,10 +20,8 @@ using Announce = std::function<void(const std::string&)>;
 constexpr double share_for_training = 0.7;  // of a budget
 constexpr int plausible_for_each = 10;      // points of parameter space a round looks at, for each hypothesis
 constexpr double temperature = 1.5;         // a little wider than the data allow
-constexpr double trusted_spread =
-    1.3;                        // of fresh runs in stated errors: 1 is right, and some 25 runs scatter about it by 0.14
-constexpr int most_checks = 2;  // of the best points
-constexpr std::size_t most_targets = 160, most_places = 160;
+constexpr int most_checks = 2;              // of the best points
+constexpr std::size_t most_targets = 160, most_candidates = 160;
 
 // Hypotheses that share the solver's setting share an emulator.
 std::vector<std::vector<int>> settings_of(const CalibrationJob& job) {
@@ -49,27 +45,27 @@ std::vector<T> evenly(const std::vector<T>& all, std::size_t most) {
   return some;
 }
 
-// What is plausible under a hypothesis, as depths to be known and as places to run.
+// What is plausible under a hypothesis, as depths to be known and as runs to choose from.
 void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit, unsigned seed,
-                 std::vector<Training::Target>& targets, std::vector<Training::Place>& places) {
+                 std::vector<Training::Target>& targets, std::vector<Training::Candidate>& candidates) {
   const Hypothesis& read = job.hypotheses[hypothesis];
-  const VectorXd exponents = model.speed_exponents(fit.at, fit.shots);
+  const VectorXd exponents = model.speed_exponents(fit.at, shots_of(job, fit.shots));
   for (const VectorXd& at : plausible_points(fit, plausible_for_each, temperature, seed)) {
-    const auto natural = natural_values(job, read, model, at);
+    const auto natural = natural_values(job, read, model.of_job, at);
     for (std::size_t i = 0; i < job.shots.size(); ++i) {
       const MeasuredShot& shot = job.shots[i];
       const MaterialAt material = material_at(job, read, shot.material, natural);
       const double scatter = fit.best().scatter[shot.group];
       const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
       targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
-      places.push_back({shot_problem(job, read, shot, material, job.training.coarse),
-                        shot_problem(job, read, shot, material, job.training.fine)});
+      candidates.push_back({shot_problem(job, read, shot, material, job.training.coarse),
+                            shot_problem(job, read, shot, material, job.training.fine)});
     }
   }
 }
 
 struct Trained {
-  std::vector<JobFit> fits;  // of the setting's hypotheses
+  std::vector<JobFit> fits;  // of the setting's hypotheses; none where too many runs failed
   std::string why;           // no more runs
 };
 
@@ -114,13 +110,13 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
   std::vector<std::optional<VectorXd>> starts(hypotheses.size());
   for (int round = 0;; ++round) {
     if (training.failures() || !training.has_emulator()) {
-      trained.why = training.failures() ? training.failures()->why
+      trained.why = training.failures() ? *training.failures()
                                         : "too few runs came to rest for an emulator: wider bounds or more runs";
       return trained;
     }
     trained.fits.clear();
     std::vector<Training::Target> targets;
-    std::vector<Training::Place> places;
+    std::vector<Training::Candidate> candidates;
     double worst = 0, emulator = 0, data = 0;
     for (std::size_t k = 0; k < hypotheses.size(); ++k) {
       const JobModel model =
@@ -136,7 +132,8 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
         emulator = sizes.emulator;
         data = sizes.data;
       }
-      add_targets(job, hypotheses[k], model, fit, job.training.seed + static_cast<unsigned>(round), targets, places);
+      add_targets(job, hypotheses[k], model, fit, job.training.seed + static_cast<unsigned>(round), targets,
+                  candidates);
       trained.fits.push_back(std::move(fit));
     }
     EmulatorReport& report = training.report();
@@ -152,7 +149,7 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
         return trained;
       continue;
     }
-    training.add_round(evenly(targets, most_targets), evenly(places, most_places));
+    training.add_round(evenly(targets, most_targets), evenly(candidates, most_candidates));
   }
 }
 

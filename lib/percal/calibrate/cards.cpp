@@ -11,17 +11,6 @@
 namespace percal {
 namespace {
 
-// Natural values of all the job's parameters, the held ones included.
-std::vector<double> natural_of(const CalibrationJob& job, const HypothesisResult& result) {
-  std::vector<double> natural(job.parameters.size());
-  for (const auto& [k, value] : job.hypotheses[result.index].held) natural[k] = value;
-  const Eigen::VectorXd& searched = result.minima.front().searched;
-  for (std::size_t i = 0; i < result.parameters.size(); ++i)
-    natural[result.parameters[i]] =
-        job.parameters[result.parameters[i]].free.natural(searched[static_cast<Eigen::Index>(i)]);
-  return natural;
-}
-
 // The interval of a material's number that was fitted.
 void add_fitted(const HypothesisResult& result, const MaterialNumber& number, const std::string& name,
                 CardIntervals& intervals) {
@@ -46,10 +35,9 @@ CardIntervals intervals_of(const CalibrationJob& job, const HypothesisResult& re
 }
 
 double bulk_ratio(const CalibrationJob& job, int material, const MaterialAt& at) {
-  enum { log_bulk_ratio = 5 };
   double ratio = least_bulk_ratio;
   for (const MeasuredShot& shot : job.shots)
-    if (shot.material == material) ratio = std::max(ratio, std::exp(shot_inputs(shot, at).at[log_bulk_ratio]));
+    if (shot.material == material) ratio = std::max(ratio, std::exp(shot_inputs(shot, at).at.log_bulk_ratio));
   return ratio;
 }
 
@@ -78,7 +66,7 @@ std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const Hyp
   std::vector<CardMaterial> cards;
   if (result.minima.empty()) return cards;
   const Hypothesis& hypothesis = job.hypotheses[result.index];
-  const auto natural = natural_of(job, result);
+  const auto natural = natural_values(job, hypothesis, result.parameters, result.minima.front().searched);
   const auto data = data_of(job);
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
     const CalibrationMaterial& material = job.materials[m];

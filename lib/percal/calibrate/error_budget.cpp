@@ -39,7 +39,7 @@ std::vector<Source> data_sources(const CalibrationJob& job, const JobModel& mode
     sources.push_back({name, VectorXd::Zero(n)});
     return sources.back().deviation;
   };
-  const VectorXd exponents = model.speed_exponents(fit.at, fit.shots);
+  const VectorXd exponents = model.speed_exponents(fit.at, shots_of(job, fit.shots));
   for (Eigen::Index i = 0; i < n; ++i) {
     const Datum& datum = fit.problem.data[static_cast<std::size_t>(i)];
     if (fit.best().scatter[datum.group] > 0)
@@ -133,7 +133,7 @@ Estimate widened(const Estimate& of, double ratio, double own_error, double quan
 LogQuantity stiffness_quantity(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
                                const JobFit& fit, int material) {
   const CalibrationMaterial& m = job.materials[material];
-  const auto natural = natural_values(job, hypothesis, model, fit.at);
+  const auto natural = natural_values(job, hypothesis, model.of_job, fit.at);
   const MaterialAt at = material_at(job, hypothesis, material, natural);
   LogQuantity quantity;
   quantity.name = m.rate_factor ? "quasi-static E of " + m.name : "mu of " + m.name;
@@ -159,7 +159,7 @@ LogQuantity stiffness_quantity(const CalibrationJob& job, const Hypothesis& hypo
 std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Hypothesis& hypothesis,
                                             const JobModel& model, const JobFit& fit,
                                             const std::vector<ProfileInterval>& profiles) {
-  const auto natural = natural_values(job, hypothesis, model, fit.at);
+  const auto natural = natural_values(job, hypothesis, model.of_job, fit.at);
   std::vector<MaterialModuli> all;
   for (std::size_t i = 0; i < job.materials.size(); ++i) {
     const CalibrationMaterial& m = job.materials[i];

@@ -28,4 +28,9 @@ std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Hyp
 LogQuantity stiffness_quantity(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
                                const JobFit& fit, int material);
 
+// Which measurement would help most: shots at speeds and into materials of the job that could be made, and curves. The best few for
+// each quantity, best first; what each would do to the quantity's interval, linearised.
+std::vector<Advice> advise(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
+                           const std::vector<LogQuantity>& quantities);
+
 }  // namespace percal

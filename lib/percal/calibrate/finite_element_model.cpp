@@ -26,7 +26,7 @@ struct Context {
   std::vector<Places> places;
 
   std::vector<double> natural(const VectorXd& searched) const {
-    return natural_values(job, hypothesis, layout, searched);
+    return natural_values(job, hypothesis, layout.of_job, searched);
   }
 
   // d(ln mu_true, alpha, erosion strain)/d searched of a material, 3 x parameters.
@@ -53,23 +53,22 @@ int place_of(const MaterialNumber& number, const std::vector<int>& of_job) {
 }
 
 ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, double h, const VectorXd& searched,
-                            const std::vector<int>& shots, Want want) {
+                            std::span<const MeasuredShot> shots, Want want) {
   const auto natural = context.natural(searched);
   std::vector<SphereInputs> at;
   std::vector<MatrixXd> chain;  // sphere_inputs x parameters
-  for (int i : shots) {
-    const MeasuredShot& shot = context.job.shots[i];
+  for (const MeasuredShot& shot : shots) {
     const MaterialAt material = material_at(context.job, context.hypothesis, shot.material, natural);
     const ShotInputs inputs = shot_inputs(shot, material);
     at.push_back(inputs.at);
-    chain.push_back(inputs.derivative.leftCols<3>() * context.derivative(shot.material, material));
+    chain.push_back(inputs.by_material * context.derivative(shot.material, material));
   }
   const DepthAnswers depths = emulator.depth(at, h, want == Want::values_and_covariance);
   ModelAnswer answer;
   answer.value = depths.log_depth;
   answer.jacobian.resize(depths.log_depth.size(), searched.size());
   for (std::size_t k = 0; k < shots.size(); ++k) {
-    answer.value[k] += std::log(context.job.shots[shots[k]].radius);
+    answer.value[k] += std::log(shots[k].radius);
     answer.jacobian.row(k) = depths.gradient.row(k) * chain[k];
   }
   answer.covariance = depths.covariance;
@@ -77,15 +76,15 @@ ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, do
 }
 
 VectorXd emulated_speed_exponents(const Context& context, const Emulator& emulator, double h, const VectorXd& searched,
-                                  const std::vector<int>& shots) {
+                                  std::span<const MeasuredShot> shots) {
   const auto natural = context.natural(searched);
   std::vector<SphereInputs> at;
   MatrixXd along(static_cast<Eigen::Index>(shots.size()), sphere_inputs);
   for (std::size_t k = 0; k < shots.size(); ++k) {
-    const MeasuredShot& shot = context.job.shots[shots[k]];
-    const ShotInputs inputs = shot_inputs(shot, material_at(context.job, context.hypothesis, shot.material, natural));
+    const ShotInputs inputs =
+        shot_inputs(shots[k], material_at(context.job, context.hypothesis, shots[k].material, natural));
     at.push_back(inputs.at);
-    along.row(k) = inputs.derivative.col(3).transpose();
+    along.row(k) = inputs.by_log_speed.transpose();
   }
   return emulator.depth(at, h, false).gradient.cwiseProduct(along).rowwise().sum();
 }
@@ -135,15 +134,6 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
 
 }  // namespace
 
-std::vector<double> natural_values(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
-                                   const VectorXd& searched) {
-  std::vector<double> natural(job.parameters.size(), 0.0);
-  for (const auto& [parameter, value] : hypothesis.held) natural[parameter] = value;
-  for (std::size_t k = 0; k < model.of_job.size(); ++k)
-    natural[model.of_job[k]] = model.parameters[k].natural(searched[static_cast<Eigen::Index>(k)]);
-  return natural;
-}
-
 std::vector<double> stress_scales(const MeasuredCurve& curve) {
   double largest = 0;
   for (const auto& point : curve.data.points) largest = std::max(largest, std::abs(point.nominal_stress));
@@ -183,15 +173,11 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
                                place_of(material.alpha, context->layout.of_job),
                                place_of(material.erosion_strain, context->layout.of_job)});
   JobModel model = context->layout;  // its functions are still empty
-  model.log_depths = [context, emulator, h](const VectorXd& searched, const std::vector<int>& shots, Want want) {
+  model.log_depths = [context, emulator, h](const VectorXd& searched, std::span<const MeasuredShot> shots, Want want) {
     return emulated_depths(*context, emulator, h, searched, shots, want);
   };
-  model.speed_exponents = [context, emulator, h](const VectorXd& searched, const std::vector<int>& shots) {
+  model.speed_exponents = [context, emulator, h](const VectorXd& searched, std::span<const MeasuredShot> shots) {
     return emulated_speed_exponents(*context, emulator, h, searched, shots);
-  };
-  model.imagine = [context](const MeasuredShot& shot) {
-    context->job.shots.push_back(shot);
-    return static_cast<int>(context->job.shots.size()) - 1;
   };
   if (!job.curves.empty())
     model.stresses = [context](const VectorXd& searched, Want want) { return stresses(*context, searched, want); };

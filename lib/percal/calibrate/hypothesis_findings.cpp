@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/calibrate/hypothesis.hpp"
+#include "percal/calibrate/hypothesis_fit.hpp"
 #include "percal/page/numbers.hpp"
 
 namespace percal {
@@ -13,8 +13,6 @@ namespace {
 
 constexpr double mean_of_normal = 0.7979;  // E|x| of a standard normal number
 constexpr double no_influence = 0.05;      // of a depth on a modulus, per cent for each per cent
-constexpr double trusted_spread =
-    1.5;  // of standardised fresh runs: more, and the emulator's stated error is too small
 
 std::string value_of(const FreeParameter& parameter, double natural) {
   return parameter.unit == "Pa" ? page::pressure(natural, 3) : page::shown(natural, 3);

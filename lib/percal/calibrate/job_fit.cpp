@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "percal/base/error.hpp"
@@ -24,7 +25,7 @@ VectorXd middle(const std::vector<FreeParameter>& parameters) {
 }
 
 // Depths of the shots, then stresses: values, Jacobian and, where one of them has it, covariance of all.
-ModelAnswer all_answers(const JobModel& model, const VectorXd& at, const std::vector<int>& shots, Want want) {
+ModelAnswer all_answers(const JobModel& model, const VectorXd& at, std::span<const MeasuredShot> shots, Want want) {
   ModelAnswer depths = model.log_depths(at, shots, want);
   if (!model.stresses) return depths;
   const ModelAnswer stresses = model.stresses(at, want);
@@ -42,7 +43,7 @@ ModelAnswer all_answers(const JobModel& model, const VectorXd& at, const std::ve
 }
 
 // Parameters that some datum depends on.
-std::vector<int> active_parameters(const JobModel& model, const std::vector<int>& shots) {
+std::vector<int> active_parameters(const JobModel& model, std::span<const MeasuredShot> shots) {
   const MatrixXd jacobian = all_answers(model, middle(model.parameters), shots, Want::values).jacobian;
   std::vector<int> active;
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k)
@@ -55,7 +56,8 @@ VectorXd completed(VectorXd all, const std::vector<int>& of_model, const VectorX
   return all;
 }
 
-CalibrationModel restricted(const JobModel& model, const std::vector<int>& shots, const std::vector<int>& of_model) {
+CalibrationModel restricted(const JobModel& model, const std::vector<MeasuredShot>& shots,
+                            const std::vector<int>& of_model) {
   return [model, shots, of_model, centre = middle(model.parameters)](const VectorXd& searched, Want want) {
     ModelAnswer answer = all_answers(model, completed(centre, of_model, searched), shots, want);
     answer.jacobian = MatrixXd(answer.jacobian(Eigen::all, of_model));
@@ -63,16 +65,14 @@ CalibrationModel restricted(const JobModel& model, const std::vector<int>& shots
   };
 }
 
-std::vector<Datum> shot_data(const CalibrationJob& job, const std::vector<int>& shots, const VectorXd& exponents) {
+std::vector<Datum> shot_data(std::span<const MeasuredShot> shots, const VectorXd& exponents) {
   std::vector<Datum> data;
-  for (std::size_t k = 0; k < shots.size(); ++k) {
-    const MeasuredShot& shot = job.shots[shots[k]];
-    data.push_back({.label = shot.label,
-                    .value = std::log(shot.depth),
-                    .error = known_log_error(shot, exponents[static_cast<Eigen::Index>(k)]),
-                    .group = shot.group,
-                    .at_least = shot.at_least});
-  }
+  for (std::size_t k = 0; k < shots.size(); ++k)
+    data.push_back({.label = shots[k].label,
+                    .value = std::log(shots[k].depth),
+                    .error = known_log_error(shots[k], exponents[static_cast<Eigen::Index>(k)]),
+                    .group = shots[k].group,
+                    .at_least = shots[k].at_least});
   return data;
 }
 
@@ -96,6 +96,9 @@ double prediction_quantile(const JobFit& fit, int group, double level) {
 
 }  // namespace
 
+SearchOptions quick_search() { return {.global_evaluations = 800, .starts = 4}; }
+SearchOptions thorough_search() { return {.global_evaluations = 4000, .starts = 8}; }
+
 double known_log_error(const MeasuredShot& shot, double speed_exponent) {
   return std::hypot(shot.depth_error / shot.depth, speed_exponent * shot.speed_error / shot.speed);
 }
@@ -105,14 +108,15 @@ JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vect
   if (shots.empty() && !model.stresses) throw BadInput("no shot and no curve is left to fit");
   JobFit fit;
   fit.shots = shots;
-  fit.of_model = active_parameters(model, shots);
+  const std::vector<MeasuredShot> measured = shots_of(job, shots);
+  fit.of_model = active_parameters(model, measured);
   for (int k : fit.of_model) fit.problem.parameters.push_back(model.parameters[k]);
   fit.problem.groups = job.groups;
-  fit.problem.model = restricted(model, shots, fit.of_model);
+  fit.problem.model = restricted(model, measured, fit.of_model);
   fit.at = start.value_or(middle(model.parameters));
   const std::vector<Datum> curves = model.stresses ? curve_data(job) : std::vector<Datum>{};
   for (int round = 0; round < speed_rounds; ++round) {
-    fit.problem.data = shot_data(job, shots, model.speed_exponents(fit.at, shots));
+    fit.problem.data = shot_data(measured, model.speed_exponents(fit.at, measured));
     fit.problem.data.insert(fit.problem.data.end(), curves.begin(), curves.end());
     if (round == 0 && !start)
       fit.minima = find_minima(fit.problem, options);
@@ -128,13 +132,14 @@ JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vect
 
 std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
                                    const std::vector<int>& shots) {
-  const ModelAnswer answer = model.log_depths(fit.at, shots, Want::values_and_covariance);
-  const VectorXd exponents = model.speed_exponents(fit.at, shots);
+  const std::vector<MeasuredShot> measured = shots_of(job, shots);
+  const ModelAnswer answer = model.log_depths(fit.at, measured, Want::values_and_covariance);
+  const VectorXd exponents = model.speed_exponents(fit.at, measured);
   const MatrixXd of_parameters = answer.jacobian * full_covariance(model, fit) * answer.jacobian.transpose();
   std::vector<ShotDepth> depths;
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const MeasuredShot& shot = job.shots[shots[k]];
+    const MeasuredShot& shot = measured[k];
     const double own = answer.covariance.size() > 0 ? std::max(0.0, answer.covariance(i, i)) : 0;
     const double scatter = fit.best().scatter[shot.group], known = known_log_error(shot, exponents[i]);
     const double deviation = std::sqrt(of_parameters(i, i) + own + scatter * scatter + known * known);
@@ -226,6 +231,18 @@ std::vector<int> used_shots(const CalibrationJob& job) {
   for (std::size_t i = 0; i < job.shots.size(); ++i)
     if (job.shots[i].used) used.push_back(static_cast<int>(i));
   return used;
+}
+
+std::vector<int> all_shots(const CalibrationJob& job) {
+  std::vector<int> all(job.shots.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+std::vector<MeasuredShot> shots_of(const CalibrationJob& job, const std::vector<int>& indices) {
+  std::vector<MeasuredShot> shots;
+  for (const int i : indices) shots.push_back(job.shots[i]);
+  return shots;
 }
 
 CrossValidationResult cross_validate(const CalibrationJob& job, const JobModel& model, const CrossValidation& wanted,

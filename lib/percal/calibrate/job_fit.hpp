@@ -19,6 +19,10 @@ struct JobFit {
   const Minimum& best() const { return minima.front(); }
 };
 
+// What it costs to search in the rounds of training, and at the end.
+SearchOptions quick_search();
+SearchOptions thorough_search();
+
 // Global search and Ceres; from `start` (all of the model's parameters) Ceres alone. The speeds' errors count through the model's
 // own exponent at the minimum. Throws BadInput where no shot and no curve is left.
 JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vector<int>& shots,
@@ -44,6 +48,8 @@ std::vector<Deviation> set_deviations(const CalibrationJob& job, const std::vect
 // Shots of the job that all filters of a list choose: "COLUMN=VALUE" of the shot's row, or "set=NAME".
 std::vector<int> chosen(const CalibrationJob& job, const ShotFilter& filter);
 std::vector<int> used_shots(const CalibrationJob& job);
+std::vector<int> all_shots(const CalibrationJob& job);
+std::vector<MeasuredShot> shots_of(const CalibrationJob& job, const std::vector<int>& indices);
 
 // Fitted to the chosen shots and the curves, then asked for the others.
 CrossValidationResult cross_validate(const CalibrationJob& job, const JobModel& model, const CrossValidation& wanted,
@@ -52,5 +58,12 @@ CrossValidationResult cross_validate(const CalibrationJob& job, const JobModel& 
 // Each shot of the set from a fit to the set's others and all other used shots.
 CrossValidationResult leave_one_out(const CalibrationJob& job, const JobModel& model, int set, const JobFit& full,
                                     const SearchOptions& options);
+
+// Points of parameter space that the data do not rule out, where the emulator has to be right: `count` points (all of the model's
+// parameters) of a Metropolis walk over exp(-objective / 2 / temperature) with the weights of the best minimum, thinned, the best
+// point first. The walk's steps follow the fit's own covariance. The same seed gives the same points.
+std::vector<Eigen::VectorXd> plausible_points(const JobFit& fit, int count, double temperature, unsigned seed);
+
+DehnResult fit_dehn(const CalibrationJob& job);
 
 }  // namespace percal

@@ -2,6 +2,7 @@
 // emulator, Dehn's by its closed form; fits, cross-validations and predictions do not know which.
 #pragma once
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "percal/calibrate/job.hpp"
@@ -13,12 +14,11 @@ struct JobModel {
   std::vector<FreeParameter> parameters;
   std::vector<int> of_job;  // job parameter of each; empty where they are not the job's
 
-  // ln of the depth in m of these shots.
-  std::function<ModelAnswer(const Eigen::VectorXd& searched, const std::vector<int>& shots, Want want)> log_depths;
-  // d ln depth / d ln speed of these shots.
-  std::function<Eigen::VectorXd(const Eigen::VectorXd& searched, const std::vector<int>& shots)> speed_exponents;
-  // A shot that has not been made, so that it can be asked for: its number for the functions above.
-  std::function<int(const MeasuredShot& shot)> imagine;
+  // ln of the depth in m of shots into the job's materials, measured ones and others.
+  std::function<ModelAnswer(const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots, Want want)>
+      log_depths;
+  // d ln depth / d ln speed of such shots.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots)> speed_exponents;
   // Stresses over their scales (see curve_data), all curves one after the other; empty where the model has none.
   std::function<ModelAnswer(const Eigen::VectorXd& searched, Want want)> stresses;
 };
@@ -29,10 +29,6 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
 
 // One drag coefficient c for all, one strength s for each material that has a parameter of its own for the modulus.
 JobModel dehn_model(const CalibrationJob& job);
-
-// Natural values of all the job's parameters at a point of the hypothesis's fitted ones.
-std::vector<double> natural_values(const CalibrationJob& job, const Hypothesis& hypothesis, const JobModel& model,
-                                   const Eigen::VectorXd& searched);
 
 // A stress is fitted as a multiple of its own size, or of this share of the largest of its curve where it is smaller.
 inline constexpr double smallest_stress_share = 0.02;

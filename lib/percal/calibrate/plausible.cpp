@@ -1,9 +1,8 @@
-#include "percal/calibrate/plausible.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "percal/calibrate/job_fit.hpp"
 #include "percal/math/draws.hpp"
 
 namespace percal {

@@ -23,6 +23,15 @@ ChosenBulk chosen_bulk(double pi4) {
 
 }  // namespace
 
+std::vector<double> natural_values(const CalibrationJob& job, const Hypothesis& hypothesis,
+                                   const std::vector<int>& fitted, const Eigen::VectorXd& searched) {
+  std::vector<double> natural(job.parameters.size(), 0.0);
+  for (const auto& [parameter, value] : hypothesis.held) natural[parameter] = value;
+  for (std::size_t k = 0; k < fitted.size(); ++k)
+    natural[fitted[k]] = job.parameters[fitted[k]].free.natural(searched[static_cast<Eigen::Index>(k)]);
+  return natural;
+}
+
 MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
                        const std::vector<double>& natural) {
   const CalibrationMaterial& m = job.materials[material];
@@ -60,16 +69,21 @@ ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material) {
   const double pi4 = material.density * shot.speed * shot.speed / material.mu_true;
   const auto [bulk, slope] = chosen_bulk(pi4);
   ShotInputs inputs;
-  inputs.at = {std::log(pi4),           std::log(material.density / shot.density), material.alpha,
-               material.erosion_strain, std::log(shot.layer_depth / shot.radius),  std::log(bulk)};
-  inputs.derivative.setZero();
-  enum { log_mu, alpha, erosion_strain, log_speed };
-  inputs.derivative(0, log_mu) = -1;
-  inputs.derivative(5, log_mu) = -slope;
-  inputs.derivative(0, log_speed) = 2;
-  inputs.derivative(5, log_speed) = 2 * slope;
-  inputs.derivative(2, alpha) = 1;
-  inputs.derivative(3, erosion_strain) = 1;
+  inputs.at = {.log_pi4 = std::log(pi4),
+               .log_pi5 = std::log(material.density / shot.density),
+               .alpha = material.alpha,
+               .erosion_strain = material.erosion_strain,
+               .log_layer_depth = std::log(shot.layer_depth / shot.radius),
+               .log_bulk_ratio = std::log(bulk)};
+  Eigen::Vector<double, sphere_inputs> by_log_pi4 = Eigen::Vector<double, sphere_inputs>::Zero();
+  by_log_pi4[index_of(&SphereInputs::log_pi4)] = 1;
+  by_log_pi4[index_of(&SphereInputs::log_bulk_ratio)] = slope;
+  enum { log_mu, alpha, erosion_strain };
+  inputs.by_material.setZero();
+  inputs.by_material.col(log_mu) = -by_log_pi4;
+  inputs.by_material(index_of(&SphereInputs::alpha), alpha) = 1;
+  inputs.by_material(index_of(&SphereInputs::erosion_strain), erosion_strain) = 1;
+  inputs.by_log_speed = 2 * by_log_pi4;
   return inputs;
 }
 

@@ -9,7 +9,11 @@
 
 namespace percal {
 
-// A material's numbers as the job's parameters say them, by job parameter.
+// Natural values of all the job's parameters: those that the hypothesis holds, and `fitted` ones at a point of their searched scales.
+std::vector<double> natural_values(const CalibrationJob& job, const Hypothesis& hypothesis,
+                                   const std::vector<int>& fitted, const Eigen::VectorXd& searched);
+
+// A material's numbers at natural values of the job's parameters.
 struct MaterialAt {
   double density = 0;      // kg/m3
   double mu_as_given = 0;  // Pa
@@ -17,8 +21,6 @@ struct MaterialAt {
   double alpha = 0;
   double erosion_strain = 0;  // engineering: the critical stretch less 1
 };
-
-// Natural values of all parameters of the job, the held ones included.
 MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
                        const std::vector<double>& natural);
 
@@ -26,10 +28,12 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
 Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
                      const MaterialAt& material, int elements_per_radius);
 
-// The emulator's inputs for a shot, and their derivatives with respect to ln mu_true, alpha, erosion strain and ln speed.
+// The emulator's inputs for a shot: those of its problem (inputs_of), but for the problem's rounding, over which nothing could be
+// differentiated. With their derivatives.
 struct ShotInputs {
-  SphereInputs at{};
-  Eigen::Matrix<double, sphere_inputs, 4> derivative;
+  SphereInputs at;
+  Eigen::Matrix<double, sphere_inputs, 3> by_material;  // ln mu_true, alpha, erosion strain
+  Eigen::Vector<double, sphere_inputs> by_log_speed;
 };
 ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material);
 

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 #include <utility>
 
-#include "percal/base/error.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/campaign/sphere_runs.hpp"
-#include "percal/math/sobol.hpp"
+#include "percal/math/draws.hpp"
+#include "percal/text/sha256.hpp"
 
 namespace percal {
 namespace {
@@ -25,23 +24,6 @@ constexpr int most_foreign = 600;
 
 double element_size(int elements_per_radius) { return 1.0 / elements_per_radius; }
 
-// A name for the job's design that changes with anything in the job's text.
-std::string fingerprint(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-  for (unsigned char c : text) hash = (hash ^ c) * 1099511628211u;
-  return fmt::format("{:016x}", hash);
-}
-
-// The wall is part of the setting that an emulator stands for.
-void refuse_several_widths(const CalibrationJob& job) {
-  const auto radii = [](const MeasuredShot& shot) { return shot.layer_width / shot.radius; };
-  for (const MeasuredShot& shot : job.shots)
-    if (std::abs(radii(shot) / radii(job.shots.front()) - 1) > 1e-9)
-      throw BadInput({job.file, 0, "shots"},
-                     fmt::format("layers {:g} and {:g} radii wide", radii(job.shots.front()), radii(shot)),
-                     "one layer_width_radii for all shots: the emulator knows one wall");
-}
-
 }  // namespace
 
 Training::Training(const CalibrationJob& job, std::vector<int> hypotheses, Store* store, Campaign& campaign,
@@ -54,7 +36,6 @@ Training::Training(const CalibrationJob& job, std::vector<int> hypotheses, Store
       limits_(limits) {
   report_.setting = fmt::format("contact stiffness {:g}", hypothesis_.contact_stiffness);
   report_.hypotheses = hypotheses_;
-  refuse_several_widths(job_);
   take_foreign_runs();
 }
 
@@ -100,7 +81,7 @@ void Training::fill_space() {
 }
 
 // The fine runs first, then the coarse: what the mesh adds varies from point to point, and coarse runs alone would look cheaper.
-void Training::add_round(const std::vector<Target>& targets, const std::vector<Place>& places) {
+void Training::add_round(const std::vector<Target>& targets, const std::vector<Candidate>& candidates) {
   std::vector<SphereInputs> at;
   std::vector<double> weights;
   for (const Target& target : targets) {
@@ -110,15 +91,15 @@ void Training::add_round(const std::vector<Target>& targets, const std::vector<P
   const int count = std::min(job_.training.batch, job_.training.most - design_runs_);
   const int fine = static_cast<int>(std::lround(job_.training.fine_share * count));
   std::vector<Problem> batch;
-  const auto choose = [&](Problem Place::*mesh, int runs) {
-    std::vector<Emulator::CandidateRun> candidates;
-    for (const Place& place : places)
-      candidates.push_back({inputs_of(place.*mesh), element_size((place.*mesh).elements_per_radius), 1});
-    for (int k : emulator_->choose(candidates, runs, at, weights, element_size(job_.training.verify)))
-      batch.push_back(places[static_cast<std::size_t>(k)].*mesh);
+  const auto choose = [&](Problem Candidate::*mesh, int runs) {
+    std::vector<Emulator::CandidateRun> on_mesh;
+    for (const Candidate& candidate : candidates)
+      on_mesh.push_back({inputs_of(candidate.*mesh), element_size((candidate.*mesh).elements_per_radius), 1});
+    for (int k : emulator_->choose(on_mesh, runs, at, weights, element_size(job_.training.verify)))
+      batch.push_back(candidates[static_cast<std::size_t>(k)].*mesh);
   };
-  choose(&Place::fine, fine);
-  choose(&Place::coarse, count - fine);
+  choose(&Candidate::fine, fine);
+  choose(&Candidate::coarse, count - fine);
   run(batch);
   learn();
 }
@@ -148,8 +129,7 @@ void Training::run(const std::vector<Problem>& problems) {
       if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
       taken_.push_back(key);
       if (evaluation.result.outcome == Outcome::stopped)
-        runs_.push_back(
-            {inputs_of(part[i]), element_size(part[i].elements_per_radius), std::log(evaluation.result.depth)});
+        runs_.push_back(training_run(part[i], evaluation.result.depth));
     }
   }
   const CampaignCost after = campaign_.cost();
@@ -159,7 +139,6 @@ void Training::run(const std::vector<Problem>& problems) {
 
 void Training::learn() {
   if (runs_.size() < smallest_training) return;
-  ++rounds_;
   const bool search = !emulator_ || static_cast<double>(runs_.size()) >= search_again * searched_at_;
   if (search) searched_at_ = static_cast<int>(runs_.size());
   EmulatorOptions options;
@@ -169,7 +148,7 @@ void Training::learn() {
 
 void Training::take_foreign_runs() {
   if (!store_) return;
-  const std::string name = fmt::format("calibration {} {}", fingerprint(job_.text), report_.setting);
+  const std::string name = fmt::format("calibration {} {}", sha256(job_.text), report_.setting);
   std::vector<StoredSphere> stored = stored_spheres(*store_);
   std::sort(stored.begin(), stored.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   // The setting is that of any of the job's problems.
@@ -195,14 +174,13 @@ void Training::take_foreign_runs() {
                                         [](const auto& s, const std::string& k) { return s.key < k; });
     if (found == stored.end() || found->key != key || !usable(*found)) continue;
     taken_.push_back(key);
-    runs_.push_back({inputs_of(found->problem), element_size(found->problem.elements_per_radius),
-                     std::log(*found->depth_over_radius)});
+    runs_.push_back(training_run(found->problem, *found->depth_over_radius));
     ++report_.foreign;
   }
   if (report_.foreign > 0) learn();
 }
 
-std::optional<TooManyFailures> Training::failures() const {
+std::optional<std::string> Training::failures() const {
   int failed = 0;
   std::string counts;
   for (const auto& [outcome, count] : report_.outcomes) {
@@ -210,8 +188,8 @@ std::optional<TooManyFailures> Training::failures() const {
     if (outcome != word(Outcome::stopped) && outcome != word(Outcome::passed_through)) failed += count;
   }
   if (design_runs_ < first_round || failed <= job_.training.failures_tolerated * design_runs_) return std::nullopt;
-  return TooManyFailures{fmt::format("of {} runs {}: more failed than the job tolerates ({:g} %)", design_runs_, counts,
-                                     100 * job_.training.failures_tolerated)};
+  return fmt::format("of {} runs {}: more failed than the job tolerates ({:g} %)", design_runs_, counts,
+                     100 * job_.training.failures_tolerated);
 }
 
 }  // namespace percal

@@ -5,17 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "percal/calibrate/job.hpp"
-#include "percal/calibrate/limits.hpp"
-#include "percal/calibrate/result.hpp"
-#include "percal/campaign/campaign.hpp"
+#include "percal/calibrate/calibration.hpp"
 
 namespace percal {
-
-// More of the runs failed than the job tolerates. A numerical outcome, with the counts in words.
-struct TooManyFailures {
-  std::string why;
-};
 
 // One design for all hypotheses with one setting of the solver. Runs of other jobs that the store has for this setting are taken in
 // once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
@@ -30,14 +22,14 @@ class Training {
 
   // One more batch. `targets`: depths that have to be known; weight: 1/(variance of their data).
   struct Target {
-    SphereInputs at{};
+    SphereInputs at;
     double weight = 1;
   };
-  // The candidates are runs at the targets' own inputs, on the coarse and the fine mesh.
-  struct Place {
+  // One run to choose from, at a target's own inputs, on the coarse or the fine mesh.
+  struct Candidate {
     Problem coarse, fine;
   };
-  void add_round(const std::vector<Target>& targets, const std::vector<Place>& places);
+  void add_round(const std::vector<Target>& targets, const std::vector<Candidate>& candidates);
 
   // Runs that were asked for elsewhere: learnt from like the others.
   void add_runs(const std::vector<Problem>& problems);
@@ -46,8 +38,8 @@ class Training {
   const Emulator& emulator() const { return *emulator_; }
   bool has_emulator() const { return emulator_.has_value(); }
   EmulatorReport& report() { return report_; }
-  // The runs' own measure of failing: not empty where more failed than is tolerated.
-  std::optional<TooManyFailures> failures() const;
+  // The counts in words where more runs failed than the job tolerates: a numerical outcome.
+  std::optional<std::string> failures() const;
 
  private:
   void take_foreign_runs();
@@ -65,7 +57,7 @@ class Training {
   std::vector<std::string> taken_;  // keys, so that no run counts twice
   std::optional<Emulator> emulator_;
   EmulatorReport report_;
-  int design_runs_ = 0, next_point_ = 0, searched_at_ = 0, rounds_ = 0;
+  int design_runs_ = 0, next_point_ = 0, searched_at_ = 0;
   double cpu_seconds_ = 0;
 };
 

@@ -41,7 +41,12 @@ SphereInputs inputs_of(const Problem& p) {
   const auto& erosion = std::get<StrainErosion>(p.erosion);
   const double strain = strain_at(stretch_at(erosion.limit, erosion.measure), StrainMeasure::engineering);
   const double pi4 = p.pi4 * p.speed_factor * p.speed_factor;
-  return {std::log(pi4), -std::log(p.density_ratio), p.alpha, strain, std::log(p.depth), std::log(p.bulk_ratio)};
+  return {.log_pi4 = std::log(pi4),
+          .log_pi5 = -std::log(p.density_ratio),
+          .alpha = p.alpha,
+          .erosion_strain = strain,
+          .log_layer_depth = std::log(p.depth),
+          .log_bulk_ratio = std::log(p.bulk_ratio)};
 }
 
 // The key of the problem with everything that an emulator knows of set to 1.
@@ -55,10 +60,8 @@ std::string setting_of(const Problem& problem) {
   return evaluation_key(plain, "any");
 }
 
-TrainingRun training_run(const StoredSphere& sphere) {
-  return {.at = inputs_of(sphere.problem),
-          .h = 1.0 / sphere.problem.elements_per_radius,
-          .log_depth = std::log(sphere.depth_over_radius.value())};
+TrainingRun training_run(const Problem& problem, double depth_over_radius) {
+  return {.at = inputs_of(problem), .h = 1.0 / problem.elements_per_radius, .log_depth = std::log(depth_over_radius)};
 }
 
 }  // namespace percal

@@ -30,7 +30,7 @@ SphereInputs inputs_of(const Problem& problem);
 // wall and bottom, viscosities, arithmetic, the solver's version, ... Of a problem with StrainErosion; its measure is not in it.
 std::string setting_of(const Problem& problem);
 
-// Of a sphere that stopped.
-TrainingRun training_run(const StoredSphere& sphere);
+// Of a sphere that stopped at this depth.
+TrainingRun training_run(const Problem& problem, double depth_over_radius);
 
 }  // namespace percal

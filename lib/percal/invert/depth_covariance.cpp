@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "percal/invert/depth_features.hpp"
 #include "percal/math/correlation.hpp"
 
 namespace percal {
@@ -13,6 +12,8 @@ using Correlation = Matern52;  // docs/theory/emulator.md says why
 
 // Below this share of its size an input's range is rounding.
 constexpr double smallest_range = 1e-9;
+
+constexpr double vanishing_alpha = 1e-4;  // below it rounding would spoil the general formula
 
 double square(double x) { return x * x; }
 
@@ -25,6 +26,32 @@ Eigen::VectorXd weighted_squared_differences(const Eigen::MatrixXd& u, const Eig
 }
 
 }  // namespace
+
+LogErosionEnergy log_erosion_energy(double alpha, double strain) {
+  const double stretch = 1 + strain, log_stretch = std::log1p(strain);
+  if (std::abs(alpha) < vanishing_alpha)  // W/mu = (3/2) ln^2 l + alpha (1/4) ln^3 l
+    return {std::log(1.5) + 2 * std::log(log_stretch) + alpha * log_stretch / 6, log_stretch / 6,
+            2 / (stretch * log_stretch)};
+  const double up = std::exp(alpha * log_stretch), across = std::exp(-0.5 * alpha * log_stretch);
+  const double sum = std::expm1(alpha * log_stretch) + 2 * std::expm1(-0.5 * alpha * log_stretch);
+  return {std::log(2 / (alpha * alpha) * sum), (up - across) * log_stretch / sum - 2 / alpha,
+          alpha * (up - across) / (stretch * sum)};
+}
+
+Eigen::VectorXd depth_features(const SphereInputs& at) {
+  Eigen::VectorXd features = in_order(at);
+  features[index_of(&SphereInputs::log_pi4)] -= log_erosion_energy(at.alpha, at.erosion_strain).value;
+  return features;
+}
+
+Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features) {
+  const LogErosionEnergy energy = log_erosion_energy(at.alpha, at.erosion_strain);
+  const double by_log_pi4 = by_features[index_of(&SphereInputs::log_pi4)];
+  Eigen::VectorXd gradient = by_features;
+  gradient[index_of(&SphereInputs::alpha)] -= by_log_pi4 * energy.by_alpha;
+  gradient[index_of(&SphereInputs::erosion_strain)] -= by_log_pi4 * energy.by_strain;
+  return gradient;
+}
 
 Eigen::VectorXd InputScale::scaled(const SphereInputs& at) const {
   return (depth_features(at) - centre).cwiseQuotient(half_range);

@@ -8,7 +8,21 @@
 
 namespace percal {
 
-// The features (depth_features.hpp) are shifted and scaled so that those of the runs lie in [-1, 1]. One that never varies keeps its
+// W/mu of a uniaxial tension test at an engineering strain > 0, (2/alpha^2) (l^alpha + 2 l^(-alpha/2) - 3) with l = 1 + strain:
+// its logarithm, and that one's derivatives.
+struct LogErosionEnergy {
+  double value, by_alpha, by_strain;
+};
+LogErosionEnergy log_erosion_energy(double alpha, double strain);
+
+// What the covariance sees of the inputs: the first, ln pi4, becomes the logarithm of the impact's energy density over that which a
+// tension test puts into the material until it erodes, ln pi4 - ln(W/mu). Depths depend on that number most.            (2)
+Eigen::VectorXd depth_features(const SphereInputs& at);
+
+// Of a function with this gradient with respect to the features.
+Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features);
+
+// The features are shifted and scaled so that those of the runs lie in [-1, 1]. One that never varies keeps its
 // own unit. "Inputs" below are these scaled features.
 struct InputScale {
   Eigen::VectorXd centre, half_range;  // sphere_inputs

@@ -22,8 +22,8 @@ const std::vector<TrainingRun>& checked(const std::vector<TrainingRun>& runs) {
   if (static_cast<int>(runs.size()) < fewest_runs)
     throw BadInput({}, fmt::format("{} runs to learn from", runs.size()), fmt::format("{} or more", fewest_runs));
   for (const TrainingRun& run : runs) {
-    const bool finite = std::ranges::all_of(run.at, [](double x) { return std::isfinite(x); });
-    if (!finite || !std::isfinite(run.log_depth) || !std::isfinite(run.h) || !(run.h > 0) || !(run.at[3] > 0))
+    if (!in_order(run.at).allFinite() || !std::isfinite(run.log_depth) || !std::isfinite(run.h) || !(run.h > 0) ||
+        !(run.at.erosion_strain > 0))
       throw BadInput({}, "a run to learn from whose numbers cannot be those of an impact",
                      "finite numbers, an element size and an erosion strain above 0");
   }
@@ -39,6 +39,12 @@ GaussianProcess conditioned(const DepthCovariance& covariance, const TrainingDat
 }
 
 }  // namespace
+
+Eigen::VectorXd in_order(const SphereInputs& at) {
+  Eigen::VectorXd all(sphere_inputs);
+  for (int k = 0; k < sphere_inputs; ++k) all[k] = at.*sphere_input_order[k];
+  return all;
+}
 
 struct Emulator::State {
   State(std::vector<TrainingRun> given, const EmulatorSettings& found)

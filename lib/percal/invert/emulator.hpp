@@ -9,20 +9,38 @@
 
 namespace percal {
 
-inline constexpr int sphere_inputs = 6;
-// ln pi4, ln pi5 = ln(rho_t/rho_p), alpha, erosion strain, ln(L/a), ln(K/mu): in this order. The strain is the engineering one,
-// the critical stretch less 1, above 0.
-using SphereInputs = std::array<double, sphere_inputs>;
+// What decides a sphere's depth.
+struct SphereInputs {
+  double log_pi4 = 0;  // ln(rho_t v^2/mu)
+  double log_pi5 = 0;  // ln(rho_t/rho_p)
+  double alpha = 0;
+  double erosion_strain = 0;   // engineering, the critical stretch less 1: above 0
+  double log_layer_depth = 0;  // ln(L/a)
+  double log_bulk_ratio = 0;   // ln(K/mu)
+  bool operator==(const SphereInputs&) const = default;
+};
+
+// Their order in vectors, lengths and gradients.
+inline constexpr std::array sphere_input_order{&SphereInputs::log_pi4,         &SphereInputs::log_pi5,
+                                               &SphereInputs::alpha,           &SphereInputs::erosion_strain,
+                                               &SphereInputs::log_layer_depth, &SphereInputs::log_bulk_ratio};
+inline constexpr int sphere_inputs = sphere_input_order.size();
+constexpr int index_of(double SphereInputs::*input) {
+  int k = 0;
+  while (sphere_input_order[k] != input) ++k;
+  return k;
+}
+Eigen::VectorXd in_order(const SphereInputs& at);
 
 // A finished run that the emulator learns from.
 struct TrainingRun {
-  SphereInputs at{};
+  SphereInputs at;
   double h = 0.1;        // element size over radius: 1 / elements_per_radius
   double log_depth = 0;  // ln(depth / radius) of a run that stopped
 };
 
 // What the hyperparameter search found. Lengths are in units of the inputs; the first is of ln pi4 at constant alpha and strain,
-// see depth_features.hpp.
+// see depth_covariance.hpp.
 struct EmulatorSettings {
   double amplitude = 1;  // standard deviation of the smooth part
   std::array<double, sphere_inputs> length{};
@@ -75,7 +93,7 @@ class Emulator {
   // for its cost, one after the other, each knowing the ones before. Indices in the order of choice; the same input gives the
   // same choice.
   struct CandidateRun {
-    SphereInputs at{};
+    SphereInputs at;
     double h = 0.1;
     double cost = 1;
   };

@@ -33,7 +33,7 @@ struct Belief {
 };
 
 // Logarithms of amplitudes, lengths (of scaled inputs) and noise, and the two orders as they are.
-enum Place {
+enum Hyperparameter {
   amplitude,
   length,
   noise = length + sphere_inputs,

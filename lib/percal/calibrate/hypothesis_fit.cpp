@@ -1,9 +1,8 @@
-#include "percal/calibrate/hypothesis.hpp"
+#include "percal/calibrate/hypothesis_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "percal/calibrate/advice.hpp"
 #include "percal/calibrate/error_budget.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/shot_problem.hpp"
@@ -15,12 +14,6 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int ridge_grid = 9;  // points along each axis
-
-std::vector<int> all_shots(const CalibrationJob& job) {
-  std::vector<int> shots;
-  for (std::size_t i = 0; i < job.shots.size(); ++i) shots.push_back(static_cast<int>(i));
-  return shots;
-}
 
 // Place of a material's number among the fitted parameters; -1 where it is not fitted.
 int fitted_place(const JobModel& model, const JobFit& fit, const MaterialNumber& number) {
@@ -64,17 +57,15 @@ void add_predictions(const CalibrationJob& job, int hypothesis, const JobModel& 
 
 }  // namespace
 
-SearchOptions quick_search() { return {.global_evaluations = 800, .starts = 4}; }
-SearchOptions thorough_search() { return {.global_evaluations = 4000, .starts = 8}; }
-
 ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
-  const ModelAnswer answer = model.log_depths(fit.at, fit.shots, Want::values_and_covariance);
-  const VectorXd exponents = model.speed_exponents(fit.at, fit.shots);
+  const std::vector<MeasuredShot> shots = shots_of(job, fit.shots);
+  const ModelAnswer answer = model.log_depths(fit.at, shots, Want::values_and_covariance);
+  const VectorXd exponents = model.speed_exponents(fit.at, shots);
   ErrorSizes sizes;
-  for (std::size_t k = 0; k < fit.shots.size(); ++k) {
+  for (std::size_t k = 0; k < shots.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const MeasuredShot& shot = job.shots[fit.shots[k]];
-    const auto n = static_cast<double>(fit.shots.size());
+    const MeasuredShot& shot = shots[k];
+    const auto n = static_cast<double>(shots.size());
     sizes.emulator += std::sqrt(std::max(0.0, answer.covariance(i, i))) / n;
     sizes.data += std::hypot(known_log_error(shot, exponents[i]), fit.best().scatter[shot.group]) / n;
   }
@@ -95,8 +86,9 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   result.sets = set_deviations(job, result.shots);
   result.moduli = material_moduli(job, read, model, fit, result.intervals);
 
-  const VectorXd mesh_shift = without_mesh.log_depths(fit.at, fit.shots, Want::values).value -
-                              model.log_depths(fit.at, fit.shots, Want::values).value;
+  const std::vector<MeasuredShot> fitted = shots_of(job, fit.shots);
+  const VectorXd mesh_shift = without_mesh.log_depths(fit.at, fitted, Want::values).value -
+                              model.log_depths(fit.at, fitted, Want::values).value;
   result.mesh_error = mesh_shift.size() > 0 ? mesh_shift.mean() : 0;
   std::vector<LogQuantity> quantities;
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
@@ -122,13 +114,11 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
 std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, const JobModel& model,
                                     const JobFit& fit) {
   const Hypothesis& read = job.hypotheses[hypothesis];
-  const auto natural = natural_values(job, read, model, fit.at);
+  const auto natural = natural_values(job, read, model.of_job, fit.at);
   std::vector<Problem> problems;
-  for (int i : fit.shots) {
-    const MeasuredShot& shot = job.shots[i];
+  for (const MeasuredShot& shot : shots_of(job, fit.shots))
     problems.push_back(
         shot_problem(job, read, shot, material_at(job, read, shot.material, natural), job.training.verify));
-  }
   return problems;
 }
 
@@ -139,7 +129,7 @@ std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int hypothesis, cons
   Progress progress("fresh runs at the best point: " + job.hypotheses[hypothesis].name,
                     static_cast<long>(problems.size()) * replicates);
   const auto runs = campaign.replicate(problems, replicates, &progress);
-  const ModelAnswer emulated = model.log_depths(fit.at, fit.shots, Want::values_and_covariance);
+  const ModelAnswer emulated = model.log_depths(fit.at, shots_of(job, fit.shots), Want::values_and_covariance);
   const double noise = emulator.noise(1.0 / job.training.verify);
   std::vector<FreshRun> fresh;
   for (std::size_t k = 0; k < fit.shots.size(); ++k) {

@@ -1,11 +1,11 @@
-#include "percal/calibrate/advice.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
+
+#include "percal/calibrate/error_budget.hpp"
 
 namespace percal {
 namespace {
@@ -49,12 +49,10 @@ std::vector<Advice> advise(const CalibrationJob& job, const JobModel& model, con
                            const std::vector<LogQuantity>& quantities) {
   std::vector<Candidate> shots, curves;
   const auto imagined = imagined_shots(job);
-  std::vector<int> places;
-  for (const MeasuredShot& shot : imagined) places.push_back(model.imagine(shot));
-  if (!places.empty()) {
-    const ModelAnswer answer = model.log_depths(fit.at, places, Want::values);
-    const VectorXd exponents = model.speed_exponents(fit.at, places);
-    for (std::size_t k = 0; k < places.size(); ++k) {
+  if (!imagined.empty()) {
+    const ModelAnswer answer = model.log_depths(fit.at, imagined, Want::values);
+    const VectorXd exponents = model.speed_exponents(fit.at, imagined);
+    for (std::size_t k = 0; k < imagined.size(); ++k) {
       const auto i = static_cast<Eigen::Index>(k);
       const MeasuredShot& shot = imagined[k];
       if (std::exp(answer.value[i]) > shot.layer_depth) continue;  // it would pass through

@@ -1,8 +1,10 @@
+// Dehn's closed form as a model of a job's shots, fitted by the same machinery: what the finite elements have to be better than.
+#include "percal/invert/dehn.hpp"
+
 #include <cmath>
 #include <map>
 
-#include "percal/calibrate/job_model.hpp"
-#include "percal/invert/dehn.hpp"
+#include "percal/calibrate/job_fit.hpp"
 
 namespace percal {
 namespace {
@@ -34,15 +36,14 @@ JobModel dehn_model(const CalibrationJob& job) {
   JobModel model;
   model.parameters.push_back({.name = "c", .unit = "", .low = lowest_c, .high = highest_c});
   const std::vector<int> place = strengths(job, model.parameters);
-  const auto shot_depth = [job, place](const Eigen::VectorXd& searched, int i) {
-    const MeasuredShot& shot = job.shots[i];
+  const auto shot_depth = [job, place](const Eigen::VectorXd& searched, const MeasuredShot& shot) {
     return dehn_depth({.radius = shot.radius,
                        .density = shot.density,
                        .speed = shot.speed,
                        .target_density = job.materials[shot.material].density},
                       std::exp(searched[0]), std::exp(searched[place[shot.material]]));
   };
-  model.log_depths = [=](const Eigen::VectorXd& searched, const std::vector<int>& shots, Want) {
+  model.log_depths = [=](const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots, Want) {
     ModelAnswer answer;
     answer.value.resize(static_cast<Eigen::Index>(shots.size()));
     answer.jacobian = Eigen::MatrixXd::Zero(answer.value.size(), searched.size());
@@ -50,17 +51,34 @@ JobModel dehn_model(const CalibrationJob& job) {
       const DehnDepth depth = shot_depth(searched, shots[k]);
       answer.value[k] = depth.log_depth;
       answer.jacobian(k, 0) = depth.gradient[0];
-      answer.jacobian(k, place[job.shots[shots[k]].material]) = depth.gradient[1];
+      answer.jacobian(k, place[shots[k].material]) = depth.gradient[1];
     }
     return answer;
   };
   // The depth depends on the speed through s/v^2 alone.
-  model.speed_exponents = [=](const Eigen::VectorXd& searched, const std::vector<int>& shots) {
+  model.speed_exponents = [=](const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots) {
     Eigen::VectorXd exponents(static_cast<Eigen::Index>(shots.size()));
     for (std::size_t k = 0; k < shots.size(); ++k) exponents[k] = -2 * shot_depth(searched, shots[k]).gradient[1];
     return exponents;
   };
   return model;
+}
+
+DehnResult fit_dehn(const CalibrationJob& job) {
+  const JobModel model = dehn_model(job);
+  const JobFit fit = fit_job(job, model, used_shots(job), thorough_search());
+  DehnResult result;
+  result.parameters = fit.problem.parameters;
+  result.minimum = fit.best();
+  result.intervals = profile_intervals(fit.problem, fit.best(), job.level, quick_search());
+  result.shots = shot_depths(job, model, fit, all_shots(job));
+  result.sets = set_deviations(job, result.shots);
+  for (const CrossValidation& wanted : job.cross_validations)
+    result.cross_validations.push_back(cross_validate(job, model, wanted, thorough_search()));
+  for (std::size_t s = 0; s < job.sets.size(); ++s)
+    if (job.sets[s].leave_one_out)
+      result.leave_one_out.push_back(leave_one_out(job, model, static_cast<int>(s), fit, quick_search()));
+  return result;
 }
 
 }  // namespace percal
