@@ -109,12 +109,12 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
   Trained trained;
   std::vector<std::optional<VectorXd>> starts(hypotheses.size());
   for (int round = 0;; ++round) {
+    trained.fits.clear();
     if (training.failures() || !training.has_emulator()) {
       trained.why = training.failures() ? *training.failures()
                                         : "too few runs came to rest for an emulator: wider bounds or more runs";
       return trained;
     }
-    trained.fits.clear();
     std::vector<Training::Target> targets;
     std::vector<Training::Candidate> candidates;
     double worst = 0, emulator = 0, data = 0;
