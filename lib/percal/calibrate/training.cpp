@@ -26,6 +26,10 @@ double element_size(int elements_per_radius) { return 1.0 / elements_per_radius;
 
 }  // namespace
 
+std::string foreign_note(const CalibrationJob& job, const std::string& setting, const std::string& key_prefix) {
+  return fmt::format("calibration {} {} {}", sha256(job.text), setting, key_prefix);
+}
+
 Training::Training(const CalibrationJob& job, std::vector<int> hypotheses, Store* store, Campaign& campaign,
                    const CalibrationLimits& limits)
     : job_(job),
@@ -148,7 +152,7 @@ void Training::learn() {
 
 void Training::take_foreign_runs() {
   if (!store_) return;
-  const std::string name = fmt::format("calibration {} {}", sha256(job_.text), report_.setting);
+  const std::string name = foreign_note(job_, report_.setting, stored_spheres_prefix());
   std::vector<StoredSphere> stored = stored_spheres(*store_);
   std::sort(stored.begin(), stored.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   // The setting is that of any of the job's problems.

@@ -9,6 +9,10 @@
 
 namespace percal {
 
+// The name of the store's note of which runs of other jobs a job has learnt from. Each solver version and instruction level sees runs
+// of its own, whose keys begin with `key_prefix`, and keeps a note of its own.
+std::string foreign_note(const CalibrationJob& job, const std::string& setting, const std::string& key_prefix);
+
 // One design for all hypotheses with one setting of the solver. Runs of other jobs that the store has for this setting are taken in
 // once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
 class Training {

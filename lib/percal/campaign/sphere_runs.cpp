@@ -27,9 +27,11 @@ std::optional<double> depth_of(const StoredEvaluation& evaluation, const Store& 
 
 }  // namespace
 
+std::string stored_spheres_prefix() { return sphere_key_prefix(instruction_level()); }
+
 std::vector<StoredSphere> stored_spheres(const Store& store) {
   std::vector<StoredSphere> spheres;
-  for (const auto& [key, evaluation] : store.with_prefix(sphere_key_prefix(instruction_level()))) {
+  for (const auto& [key, evaluation] : store.with_prefix(stored_spheres_prefix())) {
     const auto problem = problem_of_key(key, instruction_level());
     if (!problem || !is_for_an_emulator(*problem)) continue;
     spheres.push_back({*problem, key, evaluation.outcome, depth_of(evaluation, store), evaluation.cpu_seconds});

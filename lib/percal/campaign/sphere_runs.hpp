@@ -21,6 +21,8 @@ struct StoredSphere {
 // Every evaluation of the store that this solver version made at this machine's instruction level of a rigid sphere in one layer
 // that erodes by strain, axisymmetric and without relaxation; in the order of the keys. Throws IoFailure.
 std::vector<StoredSphere> stored_spheres(const Store& store);
+// What their keys begin with.
+std::string stored_spheres_prefix();
 
 // Of a problem with StrainErosion. The strain is the engineering one, whatever the problem's measure: a limit is a critical stretch. A
 // replicate's speed f v is the speed: pi4 f^2.

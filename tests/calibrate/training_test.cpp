@@ -1,0 +1,83 @@
+// A calibration's runs: what it does when they fail, and what it learns from the runs of others.
+#include "percal/calibrate/training.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "calibrate/gel_job.hpp"
+#include "percal/campaign/sphere_runs.hpp"
+#include "percal/observe/result_json.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace percal {
+namespace {
+
+// Steel into a thin layer on the coarsest mesh: a run takes a few milliseconds.
+CalibrationJob quick_job() {
+  CalibrationJob job = test::gel_job(4);
+  for (MeasuredShot& shot : job.shots) {
+    shot.layer_depth = 30 * shot.radius;
+    shot.depth = 15 * shot.radius;
+  }
+  job.training = {.coarse = 2, .fine = 2, .verify = 2, .initial = 64, .batch = 40, .most = 104, .accuracy = 1e-6};
+  job.hypotheses[0].held[1] = 7;
+  job.bootstrap = 0;
+  job.dehn = false;
+  return job;
+}
+
+class CalibrationRuns : public testing::Test, protected test::TemporaryFolder {
+ protected:
+  Store store_{path("percal.store")};
+  Campaign campaign_{&store_, 0};
+  CalibrationJob job_ = quick_job();
+  const CalibrationLimits limits_;
+};
+
+// Most of the first design's 64 runs come to rest, then all fail that the fitted emulator asks for.
+TEST_F(CalibrationRuns, FailuresAfterAFittedRoundLeaveNoHypothesis) {
+  job_.training.failures_tolerated = 0.4;
+  Training(job_, {0}, &store_, campaign_, limits_).fill_space();
+  const auto design = store_.with_prefix(stored_spheres_prefix());
+  const auto silent = [](const std::string&) {};
+  const CalibrationResult undisturbed = calibrate(job_, store_, campaign_, limits_, silent);
+  ASSERT_FALSE(undisturbed.hypotheses.empty()) << undisturbed.findings.at(0);
+
+  Evaluation failed = from_payload(design.front().evaluation.payload);
+  failed.result.outcome = Outcome::time_up;
+  Store other(path("other.store"));
+  for (const auto& [key, evaluation] : store_.with_prefix(stored_spheres_prefix()))
+    if (std::ranges::find(design, key, &KeyedEvaluation::key) == design.end())
+      other.put(key, {word(failed.result.outcome), to_payload(failed), 0});
+  other.take_in(store_);
+  Campaign with_failures(&other, 0);
+  const CalibrationResult result = calibrate(job_, other, with_failures, limits_, silent);
+  EXPECT_TRUE(result.hypotheses.empty());
+  ASSERT_EQ(result.findings.size(), 1u);
+  EXPECT_NE(result.findings[0].find("more failed than the job tolerates"), std::string::npos) << result.findings[0];
+}
+
+TEST_F(CalibrationRuns, ThoseOfOthersAreLearntFromUnlessTheJobHasBegunWithoutThem) {
+  Training begun(job_, {0}, &store_, campaign_, limits_);
+  CalibrationJob other = job_;
+  other.text = "another job";
+  Training(other, {0}, &store_, campaign_, limits_).fill_space();
+  EXPECT_EQ(Training(job_, {0}, &store_, campaign_, limits_).report().foreign, 0) << "it goes on as it began";
+  CalibrationJob third = job_;
+  third.text = "a third one";
+  EXPECT_GT(Training(third, {0}, &store_, campaign_, limits_).report().foreign, 30);
+}
+
+// What a job began with elsewhere says nothing about the runs that it finds here.
+TEST_F(CalibrationRuns, ThoseOfOthersAreLearntFromAnewByAnotherSolverOrProcessor) {
+  const std::string setting = Training(quick_job(), {0}, nullptr, campaign_, limits_).report().setting;
+  store_.put_note(foreign_note(job_, setting, sphere_key_prefix("another level")), "");
+  CalibrationJob other = job_;
+  other.text = "another job";
+  Training(other, {0}, &store_, campaign_, limits_).fill_space();
+  EXPECT_GT(Training(job_, {0}, &store_, campaign_, limits_).report().foreign, 30);
+}
+
+}  // namespace
+}  // namespace percal
