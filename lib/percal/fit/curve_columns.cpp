@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "percal/material/conventions.hpp"
-#include "percal/text/csv_header.hpp"
+#include "percal/text/csv_cells.hpp"
 
 namespace percal {
 namespace {
