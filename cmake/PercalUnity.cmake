@@ -6,6 +6,18 @@ if(CMAKE_BUILD_TYPE STREQUAL Release)
 endif()
 option(PERCAL_UNITY "Compile the sources of a folder as one unit" ${percal_unity_default})
 
+# Files that share a name with another file of their folder.
+set(PERCAL_APART
+  fit/search_terms fit/term_scan fit/uncertainty_json identify/tables identify/result_json identify/page/model identify/page/search
+  study/study_json study/omissions_json calibrate/hypothesis_findings calibrate/shot_problem calibrate/page/depths
+  calibrate/page/hypothesis)
+list(TRANSFORM PERCAL_APART PREPEND lib/percal/)
+list(APPEND PERCAL_APART fit_rate_factor study_error_vs_time study_omissions study_extremes
+  acceptance/disk_test card/lsdyna_test card/solvers_test card/unit_system_test page/text_test campaign/sphere_runs_test
+  problem/reduce_test impact/rates_test impact/step_bound_test observe/picture_test
+  estimate/least_squares_test fit/fit_program_test fit/rate_factor_test fit/uncertainty_program_test fit/uncertainty_test)
+list(TRANSFORM PERCAL_APART APPEND .cpp)
+
 # Called in the folder that defines the targets, when they have all their sources.
 function(percal_compile_folders_as_units)
   foreach(target ${ARGN})
@@ -14,6 +26,9 @@ function(percal_compile_folders_as_units)
       get_filename_component(folder ${source} DIRECTORY)
       string(MAKE_C_IDENTIFIER "${target}/${folder}" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+      if(source IN_LIST PERCAL_APART OR source MATCHES "^(study|identify|calibrate)/.*_test")
+        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${PERCAL_UNITY} UNITY_BUILD_MODE GROUP)
   endforeach()
