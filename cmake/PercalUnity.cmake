@@ -8,11 +8,10 @@ option(PERCAL_UNITY "Compile the sources of a folder as one unit" ${percal_unity
 
 # Files that share a name with another file of their folder.
 set(PERCAL_APART
-  fit/search_terms fit/term_scan fit/uncertainty_json identify/tables identify/result_json identify/page/model identify/page/search
-  study/study_json study/omissions_json calibrate/hypothesis_findings calibrate/shot_problem calibrate/page/depths
-  calibrate/page/hypothesis)
+  identify/tables identify/result_json identify/page/model identify/page/search
+  study/study_json study/omissions_json calibrate/hypothesis_findings)
 list(TRANSFORM PERCAL_APART PREPEND lib/percal/)
-list(APPEND PERCAL_APART fit_rate_factor study_error_vs_time study_omissions study_extremes
+list(APPEND PERCAL_APART study_error_vs_time study_omissions study_extremes
   acceptance/disk_test card/lsdyna_test card/solvers_test card/unit_system_test page/text_test campaign/sphere_runs_test
   problem/reduce_test impact/rates_test impact/step_bound_test observe/picture_test
   estimate/least_squares_test fit/fit_program_test fit/rate_factor_test fit/uncertainty_program_test fit/uncertainty_test)
