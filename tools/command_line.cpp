@@ -30,7 +30,7 @@ std::string name_of_value(const std::string& type) {
   return type.find(" in [") != std::string::npos ? type.substr(0, type.find(':')) : type;
 }
 
-DescribedOption described(const CLI::Option& option) {
+DescribedOption described_option(const CLI::Option& option) {
   DescribedOption result;
   for (const auto& name : option.get_lnames()) result.names.push_back("--" + name);
   for (const auto& name : option.get_snames()) result.names.push_back("-" + name);
@@ -48,23 +48,23 @@ DescribedOption described(const CLI::Option& option) {
 }
 
 void add_options(const CLI::App& app, std::vector<DescribedOption>& options) {
-  for (const CLI::Option* option : app.get_options()) options.push_back(described(*option));
+  for (const CLI::Option* option : app.get_options()) options.push_back(described_option(*option));
   for (const CLI::App* group : app.get_subcommands({}))
     if (group->get_name().empty()) add_options(*group, options);
 }
 
-DescribedCommand described(const CLI::App& app, std::vector<std::string> words) {
+DescribedCommand described_below(const CLI::App& app, std::vector<std::string> words) {
   words.push_back(app.get_name());
   DescribedCommand command{words, app.get_description(), app.get_footer(), {}, {}};
   add_options(app, command.options);
   for (const CLI::App* below : app.get_subcommands({}))
-    if (!below->get_name().empty()) command.commands.push_back(described(*below, words));
+    if (!below->get_name().empty()) command.commands.push_back(described_below(*below, words));
   return command;
 }
 
 }  // namespace
 
-DescribedCommand described(const CLI::App& app) { return described(app, {}); }
+DescribedCommand described(const CLI::App& app) { return described_below(app, {}); }
 
 namespace {
 
