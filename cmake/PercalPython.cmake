@@ -53,6 +53,8 @@ endif()
 set(PERCAL_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Folder of the Python module below the prefix")
 message(STATUS "percal: Python module for ${Python3_EXECUTABLE} ${Python3_VERSION}, installed in ${PERCAL_PYTHON_DIR}")
 
-set_target_properties(percal PROPERTIES POSITION_INDEPENDENT_CODE ON)
-target_compile_options(percal PRIVATE -fno-semantic-interposition)  # functions stay as easy to inline as without
+set_target_properties(percal percal_text PROPERTIES POSITION_INDEPENDENT_CODE ON)
+foreach(part percal percal_text)
+  target_compile_options(${part} PRIVATE -fno-semantic-interposition)  # functions stay as easy to inline as without
+endforeach()
 add_subdirectory(lib/python)

@@ -1,4 +1,4 @@
-// What the command line says, one struct a command. percal.cpp fills them (it alone sees CLI11); a file for each command runs it.
+// What the command line says, one struct a command. options.cpp fills them; a file for each command runs it.
 #pragma once
 #include <optional>
 #include <string>

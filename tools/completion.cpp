@@ -154,4 +154,13 @@ Exit run_completion(const CompletionArguments& arguments, const DescribedCommand
   return Exit::done;
 }
 
+std::vector<const DescribedCommand*> with_all_below(const DescribedCommand& command) {
+  std::vector<const DescribedCommand*> all{&command};
+  for (const DescribedCommand& below : command.commands) {
+    const auto more = with_all_below(below);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
 }  // namespace percal::tools

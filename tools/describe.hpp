@@ -3,10 +3,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace percal::tools {
 
 struct DescribedOption {
@@ -25,8 +21,6 @@ struct DescribedCommand {
   std::vector<DescribedOption> options;  // in the order of the help; arguments among them
   std::vector<DescribedCommand> commands;
 };
-
-DescribedCommand described(const CLI::App& app);
 
 // The command and all below it, parents first.
 std::vector<const DescribedCommand*> with_all_below(const DescribedCommand& command);

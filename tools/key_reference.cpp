@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "pages.hpp"
+#include "percal/base/error.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/identify/job.hpp"
 #include "percal/problem/scale_job.hpp"
@@ -21,6 +20,14 @@ namespace percal::tools {
 namespace {
 
 namespace fs = std::filesystem;
+
+// One sentence for each key. `fallback`, where it is not empty, says the default better than the reader can.
+struct KeyMeaning {
+  std::string kinds;  // file kinds that it holds for, with a blank between them
+  std::string path;   // as in RecordedKey
+  std::string meaning;
+  std::string fallback;
+};
 
 // A folder of its own, removed at the end.
 class ScratchFolder {
@@ -43,16 +50,42 @@ class ScratchFolder {
   fs::path path_;
 };
 
-KeyRecord keys_asked_for(const FileKind& kind, const Template& files, bool commented) {
+// What the kind's readers ask for in one of its documents, which finds the tables of the template, and a scene, in its folder.
+KeyRecord keys_asked_for(const FileKind& kind, const std::string& document) {
   const ScratchFolder folder;
-  for (const TextFile& file : files) {
-    const std::string text = commented && &file == &files.front() ? uncommented(file.text) : file.text;
-    write_file((folder.path() / with_stem(file.name, "sample")).string(), with_stem(text, "sample"));
-  }
-  const std::string document = (folder.path() / with_stem(files.front().name, "sample")).string();
+  const auto write = [&](const std::string& name, const std::string& text) {
+    const std::string path = (folder.path() / with_stem(name, "sample")).string();
+    write_file(path, with_stem(text, "sample"));
+    return path;
+  };
+  for (const TextFile& file : template_of(kind.name)) write(file.name, file.text);
+  write("scene.toml", uncommented(template_of("scene").front().text));
+  const std::string path = write("STEM.toml", document);
   const KeyRecording recording;
-  kind.read(document);
-  return recording.of(document);
+  kind.read(path);
+  return recording.of(path);
+}
+
+// key_meanings.txt: "KINDS | KEY | MEANING" or "KINDS | KEY | MEANING | DEFAULT".
+std::vector<KeyMeaning> read_meanings(const std::string& text) {
+  std::vector<KeyMeaning> meanings;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> cells;
+    for (std::size_t start = 0; start != std::string::npos;) {
+      const auto bar = line.find(" | ", start);
+      cells.push_back(line.substr(start, bar == std::string::npos ? bar : bar - start));
+      start = bar == std::string::npos ? bar : bar + 3;
+    }
+    cells.resize(4);
+    meanings.push_back({cells[0], cells[1], cells[2], cells[3]});
+  }
+  return meanings;
+}
+
+const std::vector<KeyMeaning>& key_meanings() {
+  static const std::vector<KeyMeaning> all = read_meanings(embedded_templates().at("key_meanings.txt"));
+  return all;
 }
 
 bool holds_for(const KeyMeaning& meaning, const std::string& kind) {
@@ -69,31 +102,14 @@ const KeyMeaning* meaning_of(const std::string& kind, const std::string& path) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::string cell(std::string text) {
-  for (auto at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
-  return text;
-}
-
-// As a cell: values in code, words as they are.
-std::string default_cell(const KeyEntry& key) {
-  const char first = key.fallback.empty() ? ' ' : key.fallback.front();
-  const bool value = first == '"' || first == '-' || (first >= '0' && first <= '9') || key.fallback == "true" ||
-                     key.fallback == "false";
-  return value ? "`" + key.fallback + "`" : key.fallback;
-}
-
 }  // namespace
 
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds{
-      {"scene", "Scenes", "percal impact, percal study", scene_template, scene_variants,
-       [](const std::string& path) { read_scene(path); }},
-      {"scale", "Scaling jobs", "percal scale", scale_template, scale_variants,
-       [](const std::string& path) { read_scale_job(path); }},
-      {"identify", "Identifications", "percal identify", identify_template, identify_variants,
-       [](const std::string& path) { read_identify_job(path); }},
-      {"calibrate", "Calibrations", "percal calibrate", calibrate_template, calibrate_variants,
-       [](const std::string& path) { read_calibration_job(path); }}};
+      {"scene", "Scenes", "percal impact, percal study", [](const std::string& path) { read_scene(path); }},
+      {"scale", "Scaling jobs", "percal scale", [](const std::string& path) { read_scale_job(path); }},
+      {"identify", "Identifications", "percal identify", [](const std::string& path) { read_identify_job(path); }},
+      {"calibrate", "Calibrations", "percal calibrate", [](const std::string& path) { read_calibration_job(path); }}};
   return kinds;
 }
 
@@ -104,8 +120,8 @@ const FileKind& file_kind(const std::string& name) {
 }
 
 std::vector<KeyEntry> keys_of(const FileKind& kind) {
-  KeyRecord record = keys_asked_for(kind, kind.start(), true);
-  for (const Template& variant : kind.variants()) record.merge(keys_asked_for(kind, variant, false));
+  KeyRecord record;
+  for (const std::string& document : sample_documents(kind.name)) record.merge(keys_asked_for(kind, document));
   std::vector<KeyEntry> entries;
   for (const RecordedKey& key : record.keys()) {
     const KeyMeaning* meaning = meaning_of(kind.name, key.path);
@@ -129,51 +145,6 @@ std::vector<std::string> faults_of_meanings() {
         faults.push_back(fmt::format("{}: the meaning of {} has no key", kind.name, meaning.path));
   }
   return faults;
-}
-
-std::string as_markdown(const std::vector<FileKind>& kinds) {
-  std::string text =
-      "# Every key\n\n"
-      "What the readers of percal's TOML files accept, printed by the program (`percal keys --markdown`) from what the "
-      "readers "
-      "say as they read.\nThe pages of each kind of file tell how the keys belong together: [scenes](scene.md), "
-      "[identifications](identify.md), [calibrations](calibrate.md).\n\n"
-      "`a.b` is the key b of the table `[a]`, `a[].b` that of every table `[[a]]`, and NAME a name that you give. "
-      "A quantity with a dimension is a text with its\nunit. \"Left out\" means that the key has no default: leaving "
-      "it "
-      "out means something of its own.\n";
-  for (const FileKind& kind : kinds) {
-    text += fmt::format("\n## {}\n\nRead by `{}`; `percal new {}` writes a template.\n\n", kind.title, kind.command,
-                        kind.name);
-    text += "| key | kind | accepted | default | meaning |\n| --- | --- | --- | --- | --- |\n";
-    for (const KeyEntry& key : keys_of(kind))
-      text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.path, key.kind, cell(key.accepted),
-                          cell(default_cell(key)), cell(key.meaning));
-  }
-  return text;
-}
-
-std::string as_text(const FileKind& kind) {
-  std::string text;
-  for (const KeyEntry& key : keys_of(kind)) {
-    text += fmt::format(
-        "{}\n    {}{}; {}\n", key.path, key.kind, key.accepted.empty() ? "" : ": " + key.accepted,
-        key.fallback == "required" || key.fallback == "left out" ? key.fallback : "default: " + key.fallback);
-    if (!key.meaning.empty()) text += fmt::format("    {}\n", key.meaning);
-  }
-  return text;
-}
-
-nlohmann::json to_json(const FileKind& kind) {
-  nlohmann::json keys = nlohmann::json::array();
-  for (const KeyEntry& key : keys_of(kind))
-    keys.push_back({{"key", key.path},
-                    {"kind", key.kind},
-                    {"accepted", key.accepted},
-                    {"required", key.required},
-                    {"default", key.fallback},
-                    {"meaning", key.meaning}});
-  return {{"command", "keys"}, {"file", kind.name}, {"keys", keys}};
 }
 
 }  // namespace percal::tools

@@ -18,18 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t comment_column = 44;
 
-Template fit_template() {
-  return {{"STEM.csv", R"(# A stress-stretch curve, made up: replace the rows by your own.       percal fit STEM.csv
-# Columns: stretch, strain_pct or shear; stress with its unit; mode: uniaxial, equibiaxial, planar, shear.
-# A column error_kPa, the standard error of each stress, may be added.
-mode,stretch,stress_kPa
-uniaxial,0.8,-97
-uniaxial,1.1,34
-uniaxial,1.2,66
-uniaxial,1.4,134
-)"}};
-}
-
 // "a.NAME.b" and "a.x.b".
 bool same_path(const std::string& pattern, const std::string& path) {
   std::istringstream expected(pattern), found(path);
@@ -118,16 +106,15 @@ std::string annotated(const std::string& text, const std::vector<KeyEntry>& keys
   return result;
 }
 
-Template template_of(const std::string& word) {
-  if (word == "fit") return fit_template();
-  const FileKind& kind = file_kind(word == "job" ? "calibrate" : word);
-  Template files = kind.start();
-  files.front().text = annotated(files.front().text, keys_of(kind));
+std::vector<TextFile> annotated_template(const std::string& word) {
+  const std::string kind = word == "job" ? "calibrate" : word;
+  auto files = template_of(kind);
+  if (kind != "fit") files.front().text = annotated(files.front().text, keys_of(file_kind(kind)));
   return files;
 }
 
 // The document under the name that was asked for, its tables beside it.
-Template placed(Template files, const fs::path& document) {
+std::vector<TextFile> placed(std::vector<TextFile> files, const fs::path& document) {
   const std::string stem = document.stem().string();
   for (TextFile& file : files) {
     file.text = with_stem(file.text, stem);
@@ -140,12 +127,12 @@ Template placed(Template files, const fs::path& document) {
 }  // namespace
 
 Exit run_new(const NewArguments& arguments, const Common& common) {
-  const Template files = template_of(arguments.kind);
+  const auto files = annotated_template(arguments.kind);
   if (arguments.file.empty()) {
     fmt::print("{}", with_stem(files.front().text, "example"));
     return Exit::done;
   }
-  const Template written = placed(files, arguments.file);
+  const auto written = placed(files, arguments.file);
   for (const TextFile& file : written) {
     std::error_code error;
     if (fs::symlink_status(file.name, error).type() != fs::file_type::not_found)

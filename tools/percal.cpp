@@ -1,7 +1,6 @@
 // The program: reads the command line, runs one command, turns the failures into exit codes. The commands are in files of their own.
 #include <unistd.h>
 
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -10,12 +9,10 @@
 #include <system_error>
 
 #include "colour.hpp"
-#include "describe.hpp"
-#include "options.hpp"
-#include "percal/base/progress.hpp"
-#include "percal/base/version.hpp"
+#include "command_line.hpp"
+#include "commands.hpp"
+#include "percal/base/error.hpp"
 #include "percal/text/file.hpp"
-#include "percal/units/words.hpp"
 
 namespace percal::tools {
 
@@ -55,112 +52,6 @@ void flush_output() {
     throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
-const CLI::App& deepest_chosen(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? app : deepest_chosen(*chosen.front());
-}
-
-// "card write " of what was chosen.
-std::string words_below(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  return chosen.empty() ? "" : chosen.front()->get_name() + " " + words_below(*chosen.front());
-}
-
-// CLI11 says of an unknown option only that it was not expected, or that something else is missing.
-void refuse_unknown_option(const CLI::App& app) {
-  const CLI::App& command = deepest_chosen(app);
-  std::vector<std::string> known;
-  for (const DescribedOption& option : described(command).options)
-    known.insert(known.end(), option.names.begin(), option.names.end());
-  for (const std::string& word : command.remaining()) {
-    if (word.size() < 2 || word[0] != '-' || (word[1] != '-' && !std::isalpha(static_cast<unsigned char>(word[1]))))
-      continue;
-    const std::string name = word.substr(0, word.find('='));
-    const auto near = nearest_word(name, known);
-    throw BadInput(Place{.file = "", .line = 0, .key = name},
-                   "an unknown option" + (near ? " (did you mean " + *near + "?)" : ""), listed(known));
-  }
-}
-
-// Where a command is unknown CLI11 says only that one is missing.
-void refuse_unknown_command(const CLI::App& app) {
-  const auto chosen = app.get_subcommands();
-  if (!chosen.empty()) return refuse_unknown_command(*chosen.front());
-  const auto words = app.remaining();
-  std::vector<std::string> commands;
-  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    commands.push_back(command->get_name());
-  if (commands.empty() || words.empty() || words.front().starts_with("-")) return;
-  const auto near = nearest_word(words.front(), commands);
-  throw BadInput(Place{.file = "", .line = 0, .key = "command"},
-                 in_quotes(words.front()) + (near ? " (did you mean " + *near + "?)" : ""), listed(commands));
-}
-
-// What the command line says, of all commands.
-struct Arguments {
-  Common common;
-  FitArguments fit;
-  ScaleArguments scale;
-  ImpactArguments impact;
-  StudyArguments study;
-  IdentifyArguments identify;
-  CalibrateArguments calibrate;
-  CardArguments card;
-  StoreArguments store;
-  ReportArguments report;
-  NewArguments start;
-  KeysArguments keys;
-  CompletionArguments completion;
-  ManArguments man;
-};
-
-std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
-  std::vector<Command> commands;
-  add_fit(app, a.fit, a.common, commands);
-  add_scale(app, a.scale, a.common, commands);
-  add_impact(app, a.impact, a.common, commands);
-  add_study(app, a.study, a.common, commands);
-  add_identify(app, a.identify, a.common, commands);
-  add_calibrate(app, a.calibrate, a.common, commands);
-  add_card(app, a.card, a.common, commands);
-  add_store(app, a.store, a.common, commands);
-  add_report(app, a.report, a.common, commands);
-  add_new(app, a.start, a.common, commands);
-  add_keys(app, a.keys, a.common, commands);
-  add_completion(app, a.completion, commands);
-  add_man(app, a.man, commands);
-  name_values(app);
-  return commands;
-}
-
-Exit run(int argc, char** argv) {
-  CLI::App app(
-      "percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.",
-      "percal");
-  app.set_version_flag("--version", "percal " + version());
-  app.require_subcommand(1);
-  Arguments arguments;
-  const std::vector<Command> commands = add_commands(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help, --version
-      app.exit(error);
-      return Exit::done;
-    }
-    refuse_unknown_command(app);
-    refuse_unknown_option(app);
-    throw BadInput(std::string(error.what()) + "; see percal " + words_below(app) + "--help");
-  }
-  Progress::enable(!arguments.common.quiet);
-  for (const Command& command : commands) {
-    if (!*command.app) continue;
-    if (command.runs_impacts) resume_after_interruption();
-    return command.run();
-  }
-  throw std::logic_error("a command that nothing runs");
-}
-
 void say(const std::string& message) {
   std::fprintf(stderr, "%s %s\n", red("percal:", stderr).c_str(), message.c_str());
 }
@@ -173,7 +64,7 @@ int main(int argc, char** argv) {
   using percal::tools::say;
   std::signal(SIGXFSZ, SIG_IGN);  // a file over its size limit is a failure to write, told as one
   try {
-    const Exit exit = percal::tools::run(argc, argv);
+    const Exit exit = percal::tools::run_command_line(argc, argv, percal::tools::resume_after_interruption);
     percal::tools::flush_output();
     return static_cast<int>(exit);
   } catch (const percal::BadInput& error) {

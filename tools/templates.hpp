@@ -1,10 +1,11 @@
-// Templates of the files that percal reads. They are what `percal new` writes and, with every comment taken off, sample documents
-// that the readers are run over for the reference of the keys.
+// The templates of the files that percal reads: tools/templates, which is part of the program. They are what `percal new` writes and,
+// with every comment taken off, sample documents that the readers are run over for the reference of the keys.
 //
 // A line that begins with "# " is a key or table that may be left out; one with "## " is a sentence. A note behind " #> "
 // says when a key may not stand as it is: "instead of KEY", or "only ..." and what it takes. STEM stands for the name of
-// the file without its ending: tables of data are written beside it.
+// the file without its ending: tables of data are written beside it. "#< FILE" stands for the lines of another file.
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,36 +16,18 @@ struct TextFile {
   std::string text;
 };
 
-// The keys of a table [solver] that scenes and jobs share.
-inline const std::string solver_keys = R"(# contact_stiffness = 0.6
-# hourglass = 0.5
-# hourglass_form = "stiffness"
-# volumetric_law = "log-quadratic"
-# eroded_nodes = "released"
-# linear_viscosity = 0.06
-# quadratic_viscosity = 1.2
-# time_step_factor = 0.9
-# rates = 2
-# stiffen_supersonic = false
-# arithmetic = "single"
-)";
+// The files by their names in tools/templates: "scene.toml", "variants/scene_cone.toml".
+const std::map<std::string, std::string>& embedded_templates();
 
-// The first file is the document, the others are what it reads.
-using Template = std::vector<TextFile>;
-
-Template scene_template();
-Template scale_template();
-Template identify_template();
-Template calibrate_template();
-
-// Documents that reach what the template leaves out: other shapes, other ways to say a thing. Only their keys matter.
-std::vector<Template> scene_variants();
-std::vector<Template> scale_variants();
-std::vector<Template> identify_variants();
-std::vector<Template> calibrate_variants();
+// The document of a kind ("scene", "fit"), then the tables that it reads.
+std::vector<TextFile> template_of(const std::string& kind);
 
 // The template with its comments taken off, but for keys whose note says "instead of" or "only".
 std::string uncommented(const std::string& text);
+
+// Documents that have every key of a kind between them: the template without its comments, the same for each key that stands
+// "instead of" others, and variants/KIND_*.toml, which have other shapes and other ways to say a thing.
+std::vector<std::string> sample_documents(const std::string& kind);
 
 // Every STEM in it replaced.
 std::string with_stem(std::string text, const std::string& stem);

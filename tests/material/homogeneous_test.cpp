@@ -7,13 +7,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "material/solids.hpp"
+
 namespace percal {
 namespace {
 
+using test::all_deformations;
 using Jet = ceres::Jet<double, 2>;
-
-constexpr Deformation all_deformations[] = {Deformation::uniaxial,    Deformation::equibiaxial,  Deformation::planar,
-                                            Deformation::planar_held, Deformation::simple_shear, Deformation::biaxial};
 
 double stress(double alpha, const Strained& strained) {
   return nominal_stress(Ogden{.mu = 1, .alpha = alpha}, strained);

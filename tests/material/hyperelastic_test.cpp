@@ -6,14 +6,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "material/solids.hpp"
+
 namespace percal {
 namespace {
 
-constexpr Deformation all_deformations[] = {Deformation::uniaxial,    Deformation::equibiaxial,  Deformation::planar,
-                                            Deformation::planar_held, Deformation::simple_shear, Deformation::biaxial};
-
-Hyperelastic mooney_rivlin(double c10, double c01) { return {{{2 * c10, 2}, {2 * c01, -2}}}; }
-
+using test::all_deformations;
+using test::mooney_rivlin;
 TEST(Hyperelastic, MooneyRivlinHasItsTextbookStresses) {
   const double c10 = 3, c01 = 0.7;
   const Hyperelastic solid = mooney_rivlin(c10, c01);

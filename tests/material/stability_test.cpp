@@ -6,12 +6,13 @@
 #include <cmath>
 #include <random>
 
+#include "material/solids.hpp"
+
 namespace percal {
 namespace {
 
+using test::mooney_rivlin;
 using testing::HasSubstr;
-
-Hyperelastic mooney_rivlin(double c10, double c01) { return {{{2 * c10, 2}, {2 * c01, -2}}}; }
 
 TEST(Stability, OneTermWithAPositiveModulusIsAlwaysStable) {
   for (const double alpha : {-40.0, -8.0, -1.0, 0.0, 0.5, 2.0, 9.0, 40.0}) {

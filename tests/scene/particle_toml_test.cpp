@@ -9,6 +9,7 @@
 
 #include "percal/math/polygon.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "scene/refusal.hpp"
 
 namespace percal {
 namespace {
@@ -16,24 +17,19 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string target =
+const std::string wide_target =
     "[target]\ndensity = \"1 t/m3\"\nmu = \"1 MPa\"\nalpha = 9\ndepth = \"75 mm\"\nwidth = \"12 mm\"\n";
 const std::string plane = "plane strain", axisymmetric = "axisymmetric";
 
 // A scene with these lines in [particle], its line 4 on.
 std::string text_of(const std::string& geometry, const std::string& lines, const std::string& rest = "") {
-  return "geometry = \"" + geometry + "\"\n[particle]\nspeed = \"50 m/s\"\n" + lines + target + rest;
+  return "geometry = \"" + geometry + "\"\n[particle]\nspeed = \"50 m/s\"\n" + lines + wide_target + rest;
 }
 
 Scene read(const std::string& geometry, const std::string& lines) { return parse_scene(text_of(geometry, lines), "x"); }
 
 std::string refusal(const std::string& geometry, const std::string& lines, const std::string& rest = "") {
-  try {
-    parse_scene(text_of(geometry, lines, rest), "scene.toml");
-    return "accepted";
-  } catch (const BadInput& error) {
-    return error.what();
-  }
+  return test::refusal(text_of(geometry, lines, rest));
 }
 
 const ProfileShape& profile_of(const Scene& scene) { return std::get<ProfileShape>(scene.particle.shape); }

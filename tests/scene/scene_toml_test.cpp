@@ -9,10 +9,12 @@
 
 #include "percal/scene/profile.hpp"
 #include "percal/text/file.hpp"
+#include "scene/refusal.hpp"
 
 namespace percal {
 namespace {
 
+using test::refusal;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -28,15 +30,6 @@ std::string replaced(const std::string& text, const std::string& from, const std
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.substr(0, at) + to + text.substr(at + from.size());
-}
-
-std::string refusal(const std::string& text) {
-  try {
-    parse_scene(text, "scene.toml");
-    return "accepted";
-  } catch (const BadInput& error) {
-    return error.what();
-  }
 }
 
 TEST(SceneToml, TheShortestSceneHasTheDefaults) {

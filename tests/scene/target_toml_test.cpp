@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "percal/scene/scene_toml.hpp"
+#include "scene/refusal.hpp"
 
 namespace percal {
 namespace {
 
+using test::refusal;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -17,14 +19,6 @@ const std::string layer = "[[below]]\ndensity = \"1.1 t/m3\"\nmu = \"2 MPa\"\nal
 
 Scene with(const std::string& lines) { return parse_scene(base + lines, "scene.toml"); }
 
-std::string refusal(const std::string& text) {
-  try {
-    parse_scene(text, "scene.toml");
-    return "accepted";
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-}
 std::string refusal_with(const std::string& lines) { return refusal(base + lines); }
 
 TEST(TargetToml, ErosionIsByStrainStressOrEnergy) {

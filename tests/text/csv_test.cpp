@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-#include "percal/text/csv_header.hpp"
+#include "percal/text/csv_cells.hpp"
 
 namespace percal {
 namespace {

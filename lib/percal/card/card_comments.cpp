@@ -100,7 +100,7 @@ std::string card_comments(const CardDialect& dialect, const CardMaterial& materi
   return text + comment_lines(dialect.prefix, provenance(material)) + comment_lines(dialect.prefix, material.comments);
 }
 
-std::string no_erosion(const CardMaterial& material) {
+std::string no_erosion_comment(const CardMaterial& material) {
   const std::string none = "no erosion in this card";
   if (!material.erosion) return none;
   return none + ": elements should go at a largest principal strain of " + in_all_measures(*material.erosion);

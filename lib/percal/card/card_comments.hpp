@@ -22,7 +22,7 @@ struct CardDialect {
 std::string card_comments(const CardDialect& dialect, const CardMaterial& material, const UnitSystem& units);
 
 // "no erosion in this card", and where elements should go if the material has a limit.
-std::string no_erosion(const CardMaterial& material);
+std::string no_erosion_comment(const CardMaterial& material);
 
 // "0.7 engineering = 0.530628 true = 0.945 Green-Lagrange (stretch 1.7)"
 std::string in_all_measures(const CardErosion& erosion);

@@ -3,21 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
 
 #include "percal/material/conventions.hpp"
-#include "percal/text/csv_header.hpp"
+#include "percal/text/csv_cells.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
-}
 
 bool contains_any(const std::string& text, std::initializer_list<const char*> parts) {
   return std::any_of(parts.begin(), parts.end(),
@@ -41,7 +36,7 @@ bool may_be_x(const std::string& name) {
 std::string headers(const CsvTable& table, bool (*wanted)(const std::string&) = nullptr) {
   std::string text;
   for (const auto& column : table.columns)
-    if (!column.header.empty() && (!wanted || wanted(lower(column.name))))
+    if (!column.header.empty() && (!wanted || wanted(lower_case(column.name))))
       text += (text.empty() ? "" : ", ") + column.header;
   return text;
 }
@@ -50,13 +45,13 @@ std::string headers(const CsvTable& table, bool (*wanted)(const std::string&) = 
 int single(const CsvTable& table, bool (*wanted)(const std::string&), const char* option, const char* meaning) {
   std::vector<int> found;
   for (int i = 0; i < static_cast<int>(table.columns.size()); ++i)
-    if (wanted(lower(table.columns[i].name))) found.push_back(i);
+    if (wanted(lower_case(table.columns[i].name))) found.push_back(i);
   const Place place{table.file, table.header_line, ""};
   if (found.size() > 1)
     throw BadInput(place, fmt::format("several columns of {}: {}", meaning, headers(table, wanted)),
                    fmt::format("one of them, chosen with {}", option));
   if (!found.empty()) return found[0];
-  const bool depths = contains_any(lower(headers(table)), {"depth", "penetration"});
+  const bool depths = contains_any(lower_case(headers(table)), {"depth", "penetration"});
   throw BadInput(
       place,
       fmt::format("no stress-stretch curve{}: no column of {} among {}",
@@ -65,7 +60,7 @@ int single(const CsvTable& table, bool (*wanted)(const std::string&), const char
 }
 
 Abscissa abscissa_of(const CsvTable& table, int x) {
-  const std::string name = lower(table.columns[x].name);
+  const std::string name = lower_case(table.columns[x].name);
   const bool stretch = contains_any(name, {"stretch", "lambda"});
   const bool gamma = contains_any(name, {"gamma", "shear"});
   if (stretch && gamma) return Abscissa::stretch_or_gamma;
@@ -92,9 +87,9 @@ std::optional<int> error_column(const CsvTable& table, int y) {
   std::vector<int> all, of_y;
   for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
     const CsvColumn& column = table.columns[i];
-    if (i == y || !is_scatter(lower(column.name)) || !is_pressure(column)) continue;
+    if (i == y || !is_scatter(lower_case(column.name)) || !is_pressure(column)) continue;
     all.push_back(i);
-    if (lower(column.name).starts_with(lower(table.columns[y].name) + "_")) of_y.push_back(i);
+    if (lower_case(column.name).starts_with(lower_case(table.columns[y].name) + "_")) of_y.push_back(i);
   }
   if (of_y.size() == 1) return of_y[0];
   return all.size() == 1 ? std::optional(all[0]) : std::nullopt;
@@ -109,7 +104,7 @@ FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
   found.y = wanted.y.empty() ? single(table, may_be_y, "--y", y_meaning) : table.column(wanted.y);
   found.x = wanted.x.empty() ? single(table, may_be_x, "--x", x_meaning) : table.column(wanted.x);
   found.abscissa = abscissa_of(table, found.x);
-  found.cauchy = contains_any(lower(table.columns[found.y].name), {"cauchy", "true"});
+  found.cauchy = contains_any(lower_case(table.columns[found.y].name), {"cauchy", "true"});
   for (const char* name : {"mode", "deformation"})
     if (!found.mode) found.mode = table.find(name);
   found.error = wanted.error.empty() ? error_column(table, found.y) : table.column(wanted.error);

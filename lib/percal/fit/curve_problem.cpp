@@ -40,7 +40,7 @@ bool left_out(const StressPoint& point, CurveProblem& problem) {
 }
 
 // 1 over what the residual is relative to, per unit of scaled stress.
-double weight_of(const StressPoint& point, const CurveProblem& problem) {
+double point_weight(const StressPoint& point, const CurveProblem& problem) {
   switch (problem.residual) {
     case Residual::relative: return problem.scale / point.nominal_stress;
     case Residual::error: return problem.scale / *point.standard_error;
@@ -118,7 +118,7 @@ CurveProblem curve_problem(const CurveData& data, Residual residual, const Weigh
   for (const StressPoint* point : used) {
     const PrincipalPair pair = principal_pair(point->strained);
     const int test = index_of_test(*point, data, problem);
-    problem.points.push_back({pair, point->nominal_stress / problem.scale, weight_of(*point, problem), test});
+    problem.points.push_back({pair, point->nominal_stress / problem.scale, point_weight(*point, problem), test});
     ++problem.tests[test].points;
     ++problem.points_of_mode[point->strained.deformation];
     if (pair.log_i != pair.log_j) different.insert({pair.log_i, pair.log_j});

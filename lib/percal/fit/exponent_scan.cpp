@@ -73,7 +73,7 @@ ProfileValue at(double alpha, const Eigen::VectorXd& response, const Eigen::Vect
   return {alpha, best.mu(0), best.objective};
 }
 
-constexpr double dependent = 1e-12;  // determinant of the correlations below which terms are not told apart
+constexpr double singular_correlation = 1e-12;  // determinant of the correlations below which terms are not told apart
 
 // The responses of all exponents of the grid, each of unit length, as products with each other and with the data (unit
 // length too): all that a least-squares problem of a few of them needs.
@@ -109,7 +109,7 @@ double objective(const Grid& grid, const std::array<int, terms>& set, Signs sign
     with_data(i) = grid.with_data(set[i]);
     for (int j = 0; j < terms; ++j) among(i, j) = grid.among(set[i], set[j]);
   }
-  if (!(among.determinant() > dependent)) return never;
+  if (!(among.determinant() > singular_correlation)) return never;
   const Eigen::Matrix<double, terms, 1> moduli = among.inverse() * with_data;
   if (signs == Signs::positive && !(moduli.minCoeff() > 0)) return never;
   return 1 - moduli.dot(with_data);

@@ -116,12 +116,6 @@ std::optional<double> aicc(const CurveMinimum& best, const CurveProblem& problem
   return n * std::log(best.objective / problem.objective_unit / n) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
 }
 
-const Polished* best_of(const FoundMinima& found) {
-  const auto best = std::min_element(found.minima.begin(), found.minima.end(),
-                                     [](const auto& a, const auto& b) { return a.objective < b.objective; });
-  return best == found.minima.end() ? nullptr : &*best;
-}
-
 // Least squares, and for a robust loss fits with the scale that the residuals of the fit before have.
 FoundMinima searched(const CurveProblem& problem, const CurveOptions& options, ScaledLoss& loss) {
   FoundMinima found = search_terms(options.model, problem.points, options.signs, {});

@@ -8,8 +8,7 @@
 #include <stdexcept>
 
 #include "percal/fit/curve_columns.hpp"
-#include "percal/text/csv_faults.hpp"
-#include "percal/text/csv_header.hpp"
+#include "percal/text/csv_cells.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {

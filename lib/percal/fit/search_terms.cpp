@@ -21,12 +21,6 @@ struct Task {
   ScaledLoss loss;
 };
 
-const Polished* best_of(const FoundMinima& found) {
-  const auto best = std::min_element(found.minima.begin(), found.minima.end(),
-                                     [](const auto& a, const auto& b) { return a.objective < b.objective; });
-  return best == found.minima.end() ? nullptr : &*best;
-}
-
 std::vector<double> alphas_of(const Polished& minimum) {
   std::vector<double> alphas;
   for (const auto& term : minimum.terms) alphas.push_back(term.alpha);
@@ -157,6 +151,12 @@ FoundMinima three_terms(const Task& task) {
 }
 
 }  // namespace
+
+const Polished* best_of(const FoundMinima& found) {
+  const auto best = std::min_element(found.minima.begin(), found.minima.end(),
+                                     [](const auto& a, const auto& b) { return a.objective < b.objective; });
+  return best == found.minima.end() ? nullptr : &*best;
+}
 
 FoundMinima search_terms(Model model, const std::vector<WeightedPoint>& points, Signs signs, const ScaledLoss& loss) {
   const Task task{points, signs, loss};

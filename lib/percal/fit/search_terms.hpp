@@ -15,6 +15,9 @@ struct FoundMinima {
   int starts = 0;   // of Ceres
 };
 
+// The minimum with the lowest objective; nullptr where there is none.
+const Polished* best_of(const FoundMinima& found);
+
 FoundMinima search_terms(Model model, const std::vector<WeightedPoint>& points, Signs signs, const ScaledLoss& loss);
 
 }  // namespace percal

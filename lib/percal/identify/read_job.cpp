@@ -5,7 +5,7 @@
 #include "percal/identify/job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/csv.hpp"
-#include "percal/text/csv_header.hpp"
+#include "percal/text/csv_cells.hpp"
 #include "percal/text/job_table.hpp"
 #include "percal/text/toml.hpp"
 #include "percal/units/words.hpp"

@@ -18,7 +18,7 @@ std::string row(const std::vector<std::string>& cells, std::size_t columns) {
   return line + "\n";
 }
 
-struct Writer {
+struct MarkdownWriter {
   const std::string& figures;
 
   std::string operator()(const Sentence& sentence) const { return sentence.text + "\n\n"; }
@@ -51,7 +51,7 @@ std::string markdown(const Page& page, Detail detail, const std::string& figures
   for (const Section& section : page.sections) {
     if (detail == Detail::answer && section.detail == Detail::more) continue;
     text += "## " + section.title + "\n\n";
-    for (const Block& block : section.blocks) text += std::visit(Writer{figures}, block);
+    for (const Block& block : section.blocks) text += std::visit(MarkdownWriter{figures}, block);
   }
   text.pop_back();
   return text;

@@ -115,7 +115,7 @@ std::string sentence(const std::string& text, const TextStyle& style, std::size_
   return all;
 }
 
-struct Writer {
+struct TextWriter {
   const TextStyle& style;
 
   std::string operator()(const Sentence& words) const { return sentence(words.text, style); }
@@ -164,7 +164,7 @@ std::string as_text(const Section& section, const TextStyle& style) {
   for (const Block& block : section.blocks) {
     const bool is_table = std::holds_alternative<Table>(block);
     if (is_table && &block != &section.blocks.front()) text += "\n";
-    text += std::visit(Writer{style}, block);
+    text += std::visit(TextWriter{style}, block);
   }
   return text + "\n";
 }

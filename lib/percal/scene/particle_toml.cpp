@@ -1,8 +1,158 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
+#include "percal/text/csv.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
+
+constexpr double right_angle = std::numbers::pi / 2;
+
+// "45 deg" or "0.5 rad" in rad. nullopt where the text is something else.
+std::optional<double> angle_of(std::string_view text) {
+  double factor = 0;
+  for (const auto& [unit, rad] : {std::pair{"deg", right_angle / 90}, {"\u00b0", right_angle / 90}, {"rad", 1.0}}) {
+    if (!text.ends_with(unit)) continue;
+    text.remove_suffix(std::string_view(unit).size());
+    factor = rad;
+    break;
+  }
+  if (factor == 0) return std::nullopt;
+  try {
+    const Quantity number = parse_quantity(text);
+    if (number.dimension == dimension::none) return number.value * factor;
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
+}
+
+// `range` in rad.
+double angle(const TomlTable& table, const std::string& key, const Range& range) {
+  table.describe(key, {"angle", range.words, ""});
+  const std::string text = table.text(key);
+  const auto value = angle_of(text);
+  if (!value || !contains(range, *value)) table.refuse(key, in_quotes(text), range.words);
+  return *value;
+}
+
+double half_tip_angle(const TomlTable& table) {
+  return angle(table, "tip_angle",
+               {.low = 0,
+                .high = 2 * right_angle,
+                .low_open = true,
+                .high_open = true,
+                .words = "the full angle of the tip with its unit, such as \"60 deg\", above 0 and below 180 deg"}) /
+         2;
+}
+
+Polygon rhombus(const TomlTable& table) {
+  const double side = table.quantity("side", dimension::length, positive("length")), half = half_tip_angle(table);
+  const double x = side * std::sin(half), y = side * std::cos(half);
+  return {{0, 0}, {x, y}, {0, 2 * y}, {-x, y}};
+}
+
+Polygon cone(const TomlTable& table) {
+  const double radius = table.quantity("radius", dimension::length, positive("length"));
+  const double height = radius / std::tan(half_tip_angle(table));
+  return {{0, 0}, {radius, height}, {-radius, height}};
+}
+
+Polygon points_from(const TomlTable& table, std::string& file) {
+  table.describe("vertices",
+                 {"file or array of pairs", "the name of a CSV with columns x and y, or pairs of lengths", ""});
+  if (table.is_array("vertices")) return table.quantity_pairs("vertices", dimension::length, any_number());
+  if (!table.has("vertices"))
+    table.refuse("vertices", "no such key",
+                 "the name of a CSV with columns x and y, or an array of pairs [[\"0 mm\", \"0 mm\"], ...]");
+  file = table.path("vertices");
+  const CsvTable csv = read_csv(file);
+  const auto x = csv.numbers("x", dimension::length), y = csv.numbers("y", dimension::length);
+  Polygon points;
+  for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
+  return points;
+}
+
+// The whole convex outline, and in an axisymmetric scene a symmetric one: a right half is completed.
+void set_outline(const TomlTable& table, const std::string& key, const Polygon& points, Geometry geometry,
+                 ProfileShape& profile) {
+  const std::string accepted = geometry == Geometry::axisymmetric
+                                   ? "the corners of a convex polygon that as it stands is its own mirror image in x = "
+                                     "0, or its right half with a side on x = 0"
+                                   : "the corners of a convex polygon in their order";
+  try {
+    profile.vertices = convex_polygon(points);
+    if (geometry == Geometry::plane_strain || is_symmetric_about_the_axis(profile)) return;
+    const double left = span(profile.vertices)[0];
+    if (left < -mirror_tolerance * half_width(profile.vertices))
+      throw std::invalid_argument("a profile that as it stands is not its own mirror image in x = 0");
+    profile.vertices = mirrored_whole(profile.vertices);
+    if (!is_symmetric_about_the_axis(profile))
+      throw std::invalid_argument("a profile that as it is turned is not its own mirror image in x = 0");
+  } catch (const std::invalid_argument& error) {
+    table.refuse(key, error.what(), accepted);
+  }
+}
+
+// kg, or kg per metre of a prism.
+std::optional<double> mass_from(const TomlTable& table, Geometry geometry) {
+  const auto mass = table.optional_quantity("mass", dimension::mass, positive("mass"));
+  const auto thickness = table.optional_quantity("thickness", dimension::length, positive("length"));
+  if (mass && table.has("density")) table.refuse("mass", "this beside density", "one of the two");
+  if (thickness && geometry == Geometry::axisymmetric)
+    table.refuse("thickness", "this in an axisymmetric scene", "no thickness: mass is that of the whole body");
+  if (thickness && !mass) table.refuse("thickness", "this without a mass", "mass beside it, or density alone");
+  if (mass && !thickness && geometry == Geometry::plane_strain)
+    table.refuse("mass", "this without a thickness", "thickness beside it: plane strain takes mass/thickness");
+  return mass && thickness ? *mass / *thickness : mass;
+}
+
+// Shapes other than round ones; `shape` is "profile", "rhombus" or "cone". Sets shape, radius and density.
+void read_profile(const TomlTable& table, const std::string& shape, Geometry geometry, ParticleScene& particle) {
+  if (shape == "cone" && geometry == Geometry::plane_strain)
+    table.refuse("shape", "\"cone\" in plane strain",
+                 "a prism: \"cylinder\", \"rhombus\" or \"profile\"; a wedge is a profile of three vertices");
+  ProfileShape profile;
+  if (table.has("orientation"))
+    profile.orientation =
+        angle(table, "orientation",
+              {.low = -4 * right_angle,
+               .high = 4 * right_angle,
+               .words = "an angle from -360 to 360 deg with its unit, such as \"45 deg\" or \"0.5 rad\""});
+  else
+    table.knows("orientation");
+  const Polygon points = shape == "rhombus" ? rhombus(table)
+                         : shape == "cone"  ? cone(table)
+                                            : points_from(table, profile.vertices_file);
+  const std::string outline_key = shape == "profile"         ? "vertices"
+                                  : table.has("orientation") ? "orientation"
+                                                             : "tip_angle";
+  set_outline(table, outline_key, points, geometry, profile);
+
+  profile.free_rotation = table.word("rotation", {"fixed", "free"}, 0) == 1;
+  if (profile.free_rotation && geometry == Geometry::axisymmetric)
+    table.refuse(
+        "rotation", "\"free\" in an axisymmetric scene",
+        "\"fixed\"; a body of revolution that turns is no longer axisymmetric (geometry = \"plane strain\" lets it)");
+  profile.mass = mass_from(table, geometry);
+  particle.radius = half_width(standing(profile));
+  if (profile.mass) {
+    const double per_density =
+        solid_body(profile, geometry).measure * (geometry == Geometry::axisymmetric ? 4 * right_angle : 1);
+    table.knows("density");
+    particle.density = *profile.mass / per_density;
+    if (!std::isnormal(particle.density))
+      table.refuse("mass", "a mass whose density is out of the range of numbers",
+                   "a mass that fits the size of the particle");
+  } else {
+    particle.density = table.quantity("density", dimension::density, positive("density"));
+  }
+  particle.shape = std::move(profile);
+}
 
 // Keys that another shape has. They are known, and refused where they are given.
 void refuse_keys(const TomlTable& table, const std::vector<std::string>& keys, const std::string& shape,

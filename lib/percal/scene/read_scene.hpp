@@ -1,4 +1,4 @@
-// The parts of the scene reader, one file each: particle_toml.cpp, profile_toml.cpp, target_toml.cpp. Each throws BadInput.
+// What the readers of a scene share with its writer, and the particle, whose reader is a file of its own.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,16 +15,7 @@ const std::vector<std::string>& hourglass_words();
 const std::vector<std::string>& volumetric_words();
 const std::vector<std::string>& eroded_node_words();
 
+// Throws BadInput.
 ParticleScene particle_from(const TomlTable& table, Geometry geometry);
-
-// Shapes other than round ones; `shape` is "profile", "rhombus" or "cone". Sets shape, radius and density.
-void read_profile(const TomlTable& table, const std::string& shape, Geometry geometry, ParticleScene& particle);
-
-// "a length above the particle's radius of 1 um".
-Range length_above(double low, const std::string& of_what);
-
-// The target's layers; the particle decides how wide they must be, `depth` how deep the first.
-LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Geometry geometry, const Range& depth);
-std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, const LayerScene& first);
 
 }  // namespace percal

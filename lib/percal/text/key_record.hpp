@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "percal/text/range.hpp"
+#include "percal/units/quantity.hpp"
+
 namespace percal {
 
 // What a reader said about a key. Texts are for people.
@@ -13,6 +16,26 @@ struct KeyForm {
   std::string accepted;  // "a positive length with its unit, ..."; empty where the kind says it all
   std::string fallback;  // the default as it would be written in the file; empty where there is none
 };
+
+// What getters of TOML tables say about the keys they are asked for.
+// "a whole number from 1 to 9"; "\"a\", \"b\"".
+std::string accepted_integer(int low, int high);
+std::string accepted_words(const std::vector<std::string>& words);
+
+KeyForm quantity_form(const Dimension& dimension, const Range& range);
+KeyForm quantity_array_form(const Dimension& dimension, const Range& range);
+KeyForm quantity_pairs_form(const Dimension& dimension, const Range& range);
+KeyForm integer_form(int low, int high);
+KeyForm word_form(const std::vector<std::string>& words);
+inline KeyForm text_form() { return {"text", "", ""}; }
+inline KeyForm flag_form() { return {"true or false", "", ""}; }
+inline KeyForm file_form() { return {"file", "the name of a file", ""}; }
+
+// The form with a default as it would be written in the file.
+KeyForm with_default(KeyForm form, std::string fallback);
+
+// A number as it is written in a file: with a unit that reads well where it has a dimension.
+std::string written(double value, const Dimension& dimension);
 
 struct RecordedKey {
   std::string path;  // "target.erosion.strain", "shots[].points[].speed", "materials.NAME.density"

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "percal/text/key_form.hpp"
+#include "percal/text/key_record.hpp"
 #include "percal/text/toml.hpp"
 #include "percal/units/words.hpp"
 

@@ -63,19 +63,13 @@ std::string known_units() {
   return listed(symbols) + ", joined as in kg/m3 or m/s";
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
 Scale find_unit(std::string_view symbol) {
   for (const auto& unit : units) {
     if (symbol == unit.symbol) return unit.scale;
   }
   if (symbol.ends_with('%')) refuse(in_quotes(symbol) + " is not a unit here: write a fraction such as 0.1");
   for (const auto& unit : units) {
-    if (lower(symbol) == lower(unit.symbol)) {
+    if (lower_case(symbol) == lower_case(unit.symbol)) {
       refuse(fmt::format("unknown unit {} (did you mean {}? capital and small letters differ)", in_quotes(symbol),
                          unit.symbol));
     }

@@ -13,6 +13,9 @@ std::string in_quotes(std::string_view text);
 // The known word that `word` was probably meant to be: equal but for case and '-' or '_', or a few typing errors away.
 std::optional<std::string> nearest_word(std::string_view word, const std::vector<std::string>& known);
 
+// The letters A to Z made small, all others as they are.
+std::string lower_case(std::string_view text);
+
 // "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

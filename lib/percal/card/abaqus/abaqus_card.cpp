@@ -54,7 +54,7 @@ void check_calculix_d1(const CardMaterial& material, const UnitSystem& units) {
 std::string card(const CardMaterial& material, const UnitSystem& units, double absent) {
   std::string text =
       card_comments({"**", "mu", CardModulus::mu, "volumetric law: D1 = 2/K; U = (J - 1)^2 / D1"}, material, units);
-  text += comment_lines("**", no_erosion(material));
+  text += comment_lines("**", no_erosion_comment(material));
   text += "*MATERIAL, NAME=" + material_name(material.name) + "\n";
   text += "*DENSITY\n" + number_field(material.density / units.density()) + "\n";
   text += "*HYPERELASTIC, OGDEN, N=" + std::to_string(material.terms.size()) + "\n";

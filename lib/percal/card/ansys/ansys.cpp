@@ -22,7 +22,7 @@ std::string ansys_card(const CardMaterial& material, const UnitSystem& units) {
   check(material, Place{});
   std::string text = card_comments(
       {"!", "mu_", CardModulus::two_mu_over_alpha, "volumetric law: d_1 = 2/K; U = (J - 1)^2 / d_1"}, material, units);
-  text += comment_lines("!", no_erosion(material));
+  text += comment_lines("!", no_erosion_comment(material));
   text += "! name: " + ascii_name(material.name, "-_. ", name_characters) + "\n";
   text += "MP,DENS,1," + number_field(material.density / units.density()) + "\n";
   text += fmt::format("TB,HYPER,1,1,{},OGDEN\n", material.terms.size());

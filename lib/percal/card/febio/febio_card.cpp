@@ -52,7 +52,7 @@ std::string febio_card(const CardMaterial& material, const UnitSystem& units) {
     add("elements go at a largest principal strain of " + in_all_measures(*erosion));
     add("strain measure of min: green-lagrange (E1 of FEBio's log variables, averaged over the element)");
   } else {
-    add(no_erosion(material));
+    add(no_erosion_comment(material));
   }
   std::string text = xml_comment(comments);
   text += fmt::format("<Material>\n  <material id=\"1\" name=\"{}\" type=\"Ogden\">\n",

@@ -107,7 +107,7 @@ std::string lsdyna_card(const CardMaterial& material, const UnitSystem& units) {
       {"$", "MU", CardModulus::two_mu_over_alpha, "volumetric law: PR of K/mu; U = K (J - 1 - ln J)"}, material, units);
   if (columns == long_columns)
     text += comment_lines("$", "long format, fields of 20 columns: ten do not hold every number, and K, to 1e-5");
-  if (!material.erosion) text += comment_lines("$", no_erosion(material));
+  if (!material.erosion) text += comment_lines("$", no_erosion_comment(material));
   text += "*MAT_OGDEN_RUBBER_TITLE" + suffix + "\n" + ascii_name(material.name, "-_. ,()%", title_characters) + "\n";
   text += lines({"MID", "RO", "PR", "N", "NV", "G", "SIGF", "REF"},
                 {"1", number_field(numbers.density, columns), number_field(numbers.nu, columns), "0", "0"}, columns);

@@ -62,7 +62,7 @@ std::string openradioss_card(const CardMaterial& material, const UnitSystem& uni
   if (std::abs(nu) < smallest_nu) nu = smallest_nu;
   std::string text = card_comments(
       {"#", "Mu_", CardModulus::two_mu_over_alpha, "volumetric law: Nu of K/mu; U = K (J - 1)^2 / 2"}, material, units);
-  if (!material.erosion) text += comment_lines("#", no_erosion(material));
+  if (!material.erosion) text += comment_lines("#", no_erosion_comment(material));
   text += "/MAT/LAW42/1\n" + ascii_name(material.name, "-_. ,()%+", title_characters) + "\n";
   text += "#              RHO_I\n" + right(number_field(material.density / units.density()), columns) + "\n";
   text += "#                 NU           SIGMA_CUT   JSTRAIN FCT_IDBLK         FSCALE_BLK         M    I_FORM\n";

@@ -10,7 +10,7 @@
 namespace percal::page_of_fit {
 namespace {
 
-Table parameter_table(const Json& result) {
+Table moduli_table(const Json& result) {
   Table table{
       .caption = "", .rows = {{"one alpha for both rates", "value", level_words(result) + " interval"}}, .notes = {}};
   const auto row = [&](const char* name, const char* key, const Dimension& dimension) {
@@ -37,7 +37,7 @@ Section result_section(const Json& result) {
                fmt::format("{} and {}; one factor between their stresses, the one-term Ogden solid with one alpha and "
                            "two moduli, {} residuals.",
                            curve_words(0, "slow", "low"), curve_words(1, "fast", "high"), text(result, "residual")));
-  add(section, parameter_table(result));
+  add(section, moduli_table(result));
   return section;
 }
 

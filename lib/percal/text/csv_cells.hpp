@@ -1,0 +1,55 @@
+// What stands in the cells of a CSV file: headers with their units, numbers; and its bad lines, named together in one message.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/text/csv.hpp"
+#include "percal/units/quantity.hpp"
+
+namespace percal {
+
+// Without the blanks at both ends.
+std::string trimmed(const std::string& text);
+
+struct ParsedNumber {
+  std::optional<double> value;  // finite
+  std::string fault;            // why there is none: "'1.2.3'; accepted: a number"
+};
+
+// "1.5", "+3e-2", "-.5"; with a decimal comma "1,5" and no point. A minus sign may be the typographic one. No blanks
+// inside, no thousands separators, no inf or nan, nothing that a double cannot hold.
+ParsedNumber parse_number(const std::string& cell, bool decimal_comma);
+
+// Name and unit of a header: "stress [kPa]", "stress (kPa)" and "stress_kPa" are stress in kPa, "density_kg_m3" is
+// density in kg/m3: of several trailing parts the first multiplies and the others divide. What stands in brackets is
+// always taken as the unit; in parentheses and after '_' only where it is a known unit, so "stretch_x" has none.
+CsvColumn split_header(const std::string& header);
+
+// The SI value and dimension of 1 unit. Percent, weight percent and degrees are dimensionless and count as 1.
+// Throws std::invalid_argument that names the unknown unit.
+Quantity column_unit(const std::string& unit);
+
+// Whether the unit counts hundredths: "%", "pct", "percent" (not weight percent).
+bool is_percent(const std::string& unit);
+
+// Collects faults line by line; throw_if_any() makes one BadInput of them. The first 50 are told in full, of the rest
+// only the line numbers.
+class LineFaults {
+ public:
+  explicit LineFaults(std::string file) : file_(std::move(file)) {}
+  void add(int line, const std::string& what);
+  bool empty() const { return faults_.empty(); }
+  std::string message() const;
+  void throw_if_any() const;
+
+ private:
+  struct Fault {
+    int line;
+    std::string what;
+  };
+  std::string file_;
+  std::vector<Fault> faults_;
+};
+
+}  // namespace percal

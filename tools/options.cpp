@@ -1,0 +1,330 @@
+// The options of every command, for CLI11. Each function adds one command and says what runs it; it is run after the whole command
+// line has been read.
+#include "options.hpp"
+
+namespace percal::tools {
+namespace {
+
+// --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
+void add_common(CLI::App& command, Common& common, bool runs_impacts) {
+  command.add_option(
+      "--out", common.out,
+      "folder for results (default: NAME.out in the working folder, NAME that of the input; none: no files)");
+  if (runs_impacts) {
+    command.add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
+    command.add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")
+        ->check(CLI::Range(0, 4096));
+  }
+  command.add_flag("--json", common.json, "print the result as JSON on standard output");
+  command.add_flag("--details", common.details, "print all of the result, not the answer alone");
+  command.add_flag("--check", common.check, "read and validate, run nothing");
+  command.add_flag("--quiet", common.quiet, "print nothing but errors");
+}
+
+void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vector<Command>& commands) {
+  auto* command =
+      app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
+  command->add_option("scene", impact.scene, "TOML scene")->required();
+  command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh (default: the scene's)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--replicates", impact.replicates, "runs at slightly different speeds (default: the scene's, 3)")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--arithmetic", impact.arithmetic, "single or double")
+      ->check(CLI::IsMember({"single", "double"}));
+  command->add_option("--history", impact.history, "write the penetration history to this CSV file");
+  command->add_option(
+      "--fields", impact.fields,
+      "write fields of the first run for ParaView, as every=0.5us, every=10um (of depth), every=2% (of the "
+      "target's depth) or every=200 (steps), to fields/ in the folder for results");
+  command->add_option("--picture", impact.picture, "draw the first run's last state to this PNG, SVG or PDF file");
+  command
+      ->add_option(
+          "--accuracy", impact.accuracy,
+          "error of the depth, as 2%: mesh and replicates as the scene's study advises, which is run first where "
+          "the store keeps none")
+      ->excludes("--elements-per-radius")
+      ->excludes("--replicates")
+      ->excludes("--arithmetic");
+  command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
+  add_common(*command, common, true);
+  commands.push_back({command, [&] { return run_impact(impact, common); }, true});
+}
+
+void add_identify(CLI::App& app, IdentifyArguments& identify, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand(
+      "identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
+  command->add_option("job", identify.job, "TOML job")->required();
+  command->footer("Example: percal identify data/guha2009/skin.toml");
+  add_common(*command, common, true);
+  commands.push_back({command, [&] { return run_identify(identify, common); }, true});
+}
+
+void add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand(
+      "calibrate",
+      "curves and depths of shots together -> free parameters with intervals, ridges, predictions, advice");
+  command->add_option("job", calibrate.job, "TOML job")->required();
+  command->add_option("--budget", calibrate.budget, "wall time to keep to, as 60s or 5min: the best answer within it");
+  command->footer("Example: percal calibrate data/synthetic/joint.toml --budget 60s");
+  add_common(*command, common, true);
+  commands.push_back({command, [&] { return run_calibrate(calibrate, common); }, true});
+}
+
+void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand(
+      "study", "what a scene's settings are worth: error against time, omissions; and a matrix of extreme impacts");
+  auto* scene = command->add_option("scene", study.scene, "TOML scene");
+  auto* which = command->add_option_group("what is studied");
+  auto* errors = which->add_flag(
+      "--error-vs-time", study.error_vs_time,
+      "depth on a ladder of meshes, the error of each, its cost, and the cheapest setting for 5, 2 and 1 %");
+  which->add_flag("--omissions", study.omissions,
+                  "what the scene leaves out, each switched back on: its worth in depth and in time");
+  auto* extremes = which->add_flag("--extremes", study.extremes,
+                                   "a fixed matrix of stiff and extreme impacts and how each ends; takes no scene");
+  which->require_option(1);
+  auto* meshes =
+      command->add_option("--meshes", study.meshes, "elements per radius, four or more (default: 5,7,10,14,20,28)")
+          ->delimiter(',')
+          ->check(CLI::Range(1, 1000))
+          ->needs(errors);
+  auto* replicates = command->add_option("--replicates", study.replicates, "runs of each setting (default: 5)")
+                         ->check(CLI::Range(3, 1000));
+  command->add_option("--markdown", study.markdown, "write tables and conclusions to this page; not of --error-vs-time")
+      ->excludes(errors);
+  extremes->excludes(scene)->excludes(meshes)->excludes(replicates);
+  command->footer(
+      "Examples: percal study data/guha2009/gold.toml --error-vs-time --meshes 5,7,10,14 --replicates 3\n"
+      "          percal study data/guha2009/gold.toml --omissions\n"
+      "          percal study --extremes --markdown extremes.md");
+  add_common(*command, common, true);
+  commands.push_back({command, [&] { return run_study(study, common); }, true});
+}
+
+void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands) {
+  auto* command =
+      app.add_subcommand("fit", "stress-stretch CSV files -> moduli and exponents, every minimum, models compared");
+  command->add_option("files", fit.files, "CSV files")->required();
+  command->add_option("--mode", fit.mode,
+                      "deformation where the file has no mode column: uniaxial, equibiaxial, planar, shear");
+  command->add_option("--model", fit.model, "ogden (one term), ogden2, ogden3, neo-hooke or mooney-rivlin")
+      ->check(CLI::IsMember({"ogden", "ogden2", "ogden3", "neo-hooke", "mooney-rivlin"}));
+  command->add_flag("--compare", fit.compare,
+                    "all models side by side: AICc, R^2 of each test, prediction of tests left out, stability");
+  command
+      ->add_option("--residual", fit.residual,
+                   "relative (Guha 2009, Eq. 3-4), absolute, or error (over the points' standard errors)")
+      ->check(CLI::IsMember({"relative", "absolute", "error"}));
+  command->add_option("--weights", fit.weights,
+                      "points: each counts the same; tests: each test does; NAME=NUMBER,...: tests by their shares");
+  command->add_option("--loss", fit.loss, "squares, or a robust loss: huber, cauchy")
+      ->check(CLI::IsMember({"squares", "huber", "cauchy"}));
+  command->add_flag("--unconstrained", fit.unconstrained, "single moduli of a sum may be negative");
+  command->add_option("--stable", fit.stable, "stretches LOW:HIGH over which stability is looked at");
+  command->add_option("--x", fit.x, "column of stretch, strain or shear");
+  command->add_option("--y", fit.y, "column of stress");
+  command->add_option("--error", fit.error, "column of the stress's standard error");
+  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)")
+      ->allow_extra_args(false);
+  command->add_flag("--intervals,!--no-intervals", fit.intervals,
+                    "profile-likelihood intervals of every parameter (default: yes)");
+  command->add_option("--level", fit.level, "confidence level of the intervals (default: 0.95)")
+      ->check(CLI::Range(0.5, 0.9999));
+  command->add_option("--bootstrap", fit.bootstrap, "replicates of each kind of bootstrap (default: none)")
+      ->check(CLI::Range(0, 1000000));
+  auto* rate_factor = command->add_flag("--rate-factor", fit.rate_factor,
+                                        "one factor between two curves of one solid: files LOW_RATE HIGH_RATE");
+  command->add_option("--rate-column", fit.rate_column, "with --rate-factor and one file: the column of the rate")
+      ->needs(rate_factor);
+  for (const char* other :
+       {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap"})
+    rate_factor->excludes(other);
+  command->footer(
+      "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
+      "          percal fit data/public/treloar1944_rubber_primary.csv --compare --weights tests\n"
+      "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
+      "data/synthetic/gelatin_12wt_highrate.csv");
+  add_common(*command, common, false);
+  commands.push_back({command, [&] { return run_fit(fit, common); }});
+}
+
+void add_scale(CLI::App& app, ScaleArguments& scale, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("scale", "pi groups of two systems, what must hold for similarity, mapped values");
+  command->add_option("job", scale.job, "TOML job")->required();
+  command->add_option("--write-scene", scale.write_scene, "write the similar scene to this file");
+  command->footer("Example: percal scale data/guha2009/similar.toml");
+  add_common(*command, common, false);
+  commands.push_back({command, [&] { return run_scale(scale, common); }});
+}
+
+void add_card_write(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
+  auto* command = card_command.add_subcommand("write", "write the card of a result");
+  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or of card read --json")
+      ->required();
+  auto targets = solver_words();
+  auto* solver = command->add_option("--solver", card.solver, listed(targets) + ", or csv for a table")->required();
+  targets.push_back("csv");
+  solver->check(CLI::IsMember(targets));
+  command->add_option("--units", card.units, "unit system of the card: si, mm-t-s-MPa, mm-ms-kg-GPa, um-us-ng-MPa");
+  command->add_option("--file", card.file, "file to write (default: standard output)");
+  command->add_option("--card,--name", card.name, "which of several cards; the name of a single one");
+  command->add_option("--density", card.density, "density, such as \"1010 kg/m3\"; a fit does not know it");
+  auto* ratio = command->add_option("--bulk-to-shear", card.bulk_to_shear, "K/mu; a fit does not know it");
+  command->add_option("--nu", card.nu, "Poisson's ratio instead")->excludes(ratio);
+  command->add_option("--mode", card.mode, "with csv: uniaxial (default), equibiaxial, planar or shear");
+  command->add_option("--range", card.range, "with csv: stretches LOW:HIGH (default: 0.5:2)");
+  command->add_option("--points", card.points, "with csv: rows (default: 31)");
+  auto* deck = command->add_option("--deck", card.deck, "the card in a single-element test ready to run: uniaxial")
+                   ->check(CLI::IsMember({"uniaxial"}));
+  command->add_option("--stretch", card.stretch, "with --deck: stretch at the end (default: 2)")->needs(deck);
+  command->add_option("--increments", card.increments, "with --deck: equal steps to it (default: 20)")->needs(deck);
+  command->add_flag("--check", common.check, "read and convert, write nothing");
+  command->add_flag("--quiet", common.quiet, "print nothing but errors");
+  command->footer(
+      "Examples: percal card write skin.out/result.json --solver lsdyna --units mm-ms-kg-GPa\n"
+      "          percal card write gel.out/result.json --solver febio --density \"1010 kg/m3\" --nu 0.495\n"
+      "          percal card write skin.out/result.json --solver calculix --units mm-t-s-MPa --deck uniaxial "
+      "--file skin.inp");
+  commands.push_back({command, [&] { return run_card_write(card, common); }});
+}
+
+void add_card_source(CLI::App& command, CardArguments& card) {
+  command.add_option("card", card.card, "a card of one of the programs, or a result of percal")->required();
+  command.add_option("--solver", card.solver, "the program (default: found by its keywords)")
+      ->check(CLI::IsMember(solver_words()));
+  command.add_option("--units", card.units, "units of its numbers (default: as the comment of a percal card says)");
+  command.add_option("--name", card.name, "which of several materials");
+}
+
+void add_card_read(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
+  auto* command = card_command.add_subcommand("read", "the material that a card means, in percal's convention");
+  add_card_source(*command, card);
+  command->add_flag("--json", common.json, "print the card object, which card write takes");
+  command->footer("Example: percal card read skin.k");
+  commands.push_back({command, [&] { return run_card_read(card, common); }});
+}
+
+void add_card_check(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
+  auto* command = card_command.add_subcommand("check", "the stress-stretch curve that a card means");
+  add_card_source(*command, card);
+  command->add_option("--mode", card.mode, "uniaxial (default), equibiaxial, planar or shear");
+  command->add_option("--stretch", card.range, "stretches LOW:HIGH (default: 0.5:2; in shear 0:1)");
+  command->add_option("--points", card.points, "points of the curve (default: 31)");
+  command->add_option("--csv", card.csv, "write the curve to this file, for percal fit and for tables");
+  command->add_flag("--json", common.json, "print the card object and the curve");
+  command->footer("Example: percal card check skin.k --mode equibiaxial --stretch 0.8:1.5");
+  commands.push_back({command, [&] { return run_card_check(card, common); }});
+}
+
+void add_card(CLI::App& app, CardArguments& card, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("card", "material cards for finite-element programs");
+  command->require_subcommand(1);
+  add_card_write(*command, card, common, commands);
+  add_card_read(*command, card, common, commands);
+  add_card_check(*command, card, common, commands);
+}
+
+void add_store(CLI::App& app, StoreArguments& store, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("store", "the store of finished evaluations");
+  command->require_subcommand(1);
+  auto* merge = command->add_subcommand("merge", "take the evaluations of other stores into one");
+  merge->add_option("sources", store.sources, "stores to read; they stay as they are")->required();
+  merge->add_option("--store", common.store, "store to write (default: percal.store in the user's cache folder)");
+  merge->add_flag("--quiet", common.quiet, "print nothing but errors");
+  merge->footer("Example: percal store merge task*.store --store all.store");
+  commands.push_back({merge, [&] { return run_store_merge(store, common); }});
+}
+
+void add_report(CLI::App& app, ReportArguments& report, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("report", "a result as one HTML page; two results side by side");
+  command->add_option("results", report.results, "result.json of a command, or two of the same command")
+      ->required()
+      ->expected(1, 2);
+  command->add_option("-o,--file", report.file, "page to write (default: report.html beside the result)");
+  command->add_option("--plots", report.plots, "folder for every figure as SVG, PNG and CSV (default: none)");
+  command->add_flag("--check", common.check, "read the results, write nothing");
+  command->add_flag("--quiet", common.quiet, "print nothing but errors");
+  command->footer("Example: percal report skin.out/result.json -o skin.html");
+  commands.push_back({command, [&] { return run_report(report, common); }});
+}
+
+void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("new", "a commented template of a scene, a job or a table of a curve");
+  command->add_option("kind", start.kind, "scene, scale, identify, calibrate (job is the same), fit")
+      ->required()
+      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "job", "fit"}));
+  command
+      ->add_option("-o,--file", start.file,
+                   "file to write, never over another; example tables go beside it (default: standard output)")
+      ->type_name("FILE");
+  command->add_flag("--quiet", common.quiet, "print nothing but errors");
+  command->footer("Example: percal new scene -o my.toml && percal impact my.toml --check");
+  commands.push_back({command, [&] { return run_new(start, common); }});
+}
+
+void add_keys(CLI::App& app, KeysArguments& keys, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("keys", "every key of a kind of file: what it may be, its default, what it means");
+  auto* kind = command->add_option("kind", keys.kind, "scene, scale, identify, calibrate (job is the same)")
+                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "job"}));
+  auto* json = command->add_flag("--json", common.json, "print them as JSON");
+  command->add_flag("--markdown", keys.markdown, "all kinds, as a page")->excludes(kind)->excludes(json);
+  command->footer("Example: percal keys scene");
+  commands.push_back({command, [&keys, &common] { return run_keys(keys, common); }});
+}
+
+void add_completion(CLI::App& app, CompletionArguments& completion, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("completion", "a script that completes percal's command line in a shell");
+  command->add_option("shell", completion.shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->footer("Example: source <(percal completion bash)");
+  commands.push_back({command, [&app, &completion] { return run_completion(completion, described(app)); }});
+}
+
+void add_man(CLI::App& app, ManArguments& man, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("man", "a manual page, for man -l");
+  command->add_option("words", man.words, "a command, as: card write (default: percal itself)");
+  command->add_option("--all", man.folder, "write all pages to this folder")->type_name("FOLDER");
+  command->footer("Example: percal man impact | man -l -");
+  commands.push_back({command, [&app, &man] { return run_man(man, described(app)); }});
+}
+
+// What the values of options are called in help and completion: FILE, FOLDER and so on; for all commands at once.
+void name_values(CLI::App& app) {
+  static const std::vector<std::pair<std::vector<std::string>, std::string>> names{
+      {{"--out", "--plots"}, "FOLDER"},
+      {{"--store", "--file", "--history", "--markdown", "--write-scene", "--picture", "--csv"}, "FILE"},
+      {{"files", "scene", "job", "result", "results", "card", "sources"}, "FILE"},
+      {{"--x", "--y", "--error", "--rate-column"}, "COLUMN"},
+      {{"--where"}, "COLUMN=VALUE"},
+      {{"--stable"}, "LOW:HIGH"},
+      {{"--accuracy"}, "PERCENT"},
+      {{"--budget"}, "TIME"}};
+  for (CLI::App* command : app.get_subcommands({})) name_values(*command);
+  for (const auto& [options, value] : names)
+    for (const std::string& name : options) {
+      CLI::Option* option = app.get_option_no_throw(name);
+      if (option && option->get_type_size_max() > 0 && option->get_expected_max() > 0) option->type_name(value);
+    }
+}
+
+}  // namespace
+
+std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
+  std::vector<Command> commands;
+  add_fit(app, a.fit, a.common, commands);
+  add_scale(app, a.scale, a.common, commands);
+  add_impact(app, a.impact, a.common, commands);
+  add_study(app, a.study, a.common, commands);
+  add_identify(app, a.identify, a.common, commands);
+  add_calibrate(app, a.calibrate, a.common, commands);
+  add_card(app, a.card, a.common, commands);
+  add_store(app, a.store, a.common, commands);
+  add_report(app, a.report, a.common, commands);
+  add_new(app, a.start, a.common, commands);
+  add_keys(app, a.keys, a.common, commands);
+  add_completion(app, a.completion, commands);
+  add_man(app, a.man, commands);
+  name_values(app);
+  return commands;
+}
+
+}  // namespace percal::tools
