@@ -12,7 +12,7 @@
 #include "pages.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/identify/job.hpp"
-#include "percal/problem/scale_job.hpp"
+#include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
