@@ -27,14 +27,6 @@ Scene scene_with_options(const ImpactArguments& arguments) {
   return scene;
 }
 
-Exit say_valid(const ImpactArguments& arguments, const Common& common) {
-  if (common.json)
-    fmt::print("{}\n", page::Json{{"command", "impact"}, {"scene", arguments.scene}, {"valid", true}}.dump());
-  else if (!common.quiet)
-    fmt::print("{}: a scene that can be run\n", arguments.scene);
-  return Exit::done;
-}
-
 // Of the run that is shown.
 std::string picture_title(const Scene& scene, const Reduction& reduction, const ImpactResult& run) {
   return fmt::format("{} into {}: {}, depth {}", scene.particle.name, scene.target.name, word(run.outcome),
@@ -56,7 +48,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   std::optional<double> target_error;
   if (!arguments.accuracy.empty()) target_error = parse_accuracy(arguments.accuracy);
   check_views(arguments, common);
-  if (common.check) return say_valid(arguments, common);
+  if (common.check) return say_valid("impact", "scene", arguments.scene, "a scene that can be run", common);
   if (!arguments.history.empty()) ensure_writable(arguments.history);
   ensure_views_can_be_made(arguments);
   const std::string folder = out_folder(arguments.scene, common);

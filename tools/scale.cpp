@@ -1,5 +1,4 @@
 // percal scale JOB: the ten groups of two systems, the model's missing values, and the similar scene.
-#include <fmt/format.h>
 
 #include "pages.hpp"
 #include "percal/scaling/page/page.hpp"
@@ -15,21 +14,13 @@ ScaleJob read_job(const ScaleArguments& arguments) {
   return job;
 }
 
-Exit say_valid(const ScaleArguments& arguments, const Common& common) {
-  if (common.json)
-    fmt::print("{}\n", page::Json{{"command", "scale"}, {"job", arguments.job}, {"valid", true}}.dump());
-  else if (!common.quiet)
-    fmt::print("{}: a job that can be run\n", arguments.job);
-  return Exit::done;
-}
-
 }  // namespace
 
 Exit run_scale(const ScaleArguments& arguments, const Common& common) {
   const ScaleJob job = read_job(arguments);
   const Completion completion = complete(job.prototype.system, job.model.system);
   const std::string scene = job.output_scene.empty() ? "" : similar_scene_text(job, completion);
-  if (common.check) return say_valid(arguments, common);
+  if (common.check) return say_valid("scale", "job", arguments.job, "a job that can be run", common);
   const std::string folder = out_folder(arguments.job, common);
   if (!scene.empty()) write_file(job.output_scene, scene);
   deliver(scale_to_json(job, completion, job.output_scene), folder, common);

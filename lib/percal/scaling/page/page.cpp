@@ -91,7 +91,7 @@ Section groups_section(const Json& result) {
 
 // 2 mu/alpha of a system with both.
 std::string mu1(const Json& system) {
-  const auto mu = number(system, "mu_true_Pa"), alpha = number(system, "alpha");
+  const auto mu = number(system, result_key(system_quantity(&System::mu))), alpha = number(system, "alpha");
   return mu && alpha && *alpha != 0 ? pressure(2 * *mu / *alpha) : "-";
 }
 
