@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "percal/base/progress.hpp"
+#include "percal/study/advice.hpp"
 #include "percal/study/kept_ladder.hpp"
-#include "percal/study/study_json.hpp"
 #include "percal/units/quantity.hpp"
 #include "percal/units/words.hpp"
 
@@ -17,6 +16,36 @@ namespace {
 
 constexpr double finest_accuracy = 0.001, coarsest_accuracy = 0.5;
 constexpr double farthest_extrapolation = 1.5;  // of the ladder's finest mesh
+
+// Why the advice is not followed; empty: it is.
+std::string why_not(const AdvisedSetting& advice, const LadderOptions& ladder) {
+  if (!advice.is_found) return fmt::format("An error of {:.3g} %: {}", 100 * advice.target, advice.why_not);
+  if (advice.elements_per_radius <= farthest_extrapolation * ladder.meshes.back()) return "";
+  return fmt::format(
+      "An error of {:.3g} %: no mesh of the ladder (up to {} elements per radius) reaches it; by extrapolation {} "
+      "elements per radius and {} replicates would, in about {:.3g} s of processor time: run these by "
+      "--elements-per-radius and --replicates, or a finer ladder by percal study --meshes",
+      100 * advice.target, ladder.meshes.back(), advice.elements_per_radius, advice.replicates, advice.cpu_seconds);
+}
+
+AdvisedAccuracy accuracy_of(const AdvisedSetting& advice, const LadderOptions& ladder) {
+  AdvisedAccuracy accuracy{.target_error = advice.target,
+                           .why_not = why_not(advice, ladder),
+                           .is_extrapolated = advice.cost_is_estimated,
+                           .cpu_seconds_low = advice.cpu_seconds_low,
+                           .cpu_seconds_high = advice.cpu_seconds_high,
+                           .studied_meshes = ladder.meshes,
+                           .studied_replicates = ladder.replicates,
+                           .time_step_factor = ladder.time_step_factor.value()};
+  if (!advice.is_found) return accuracy;
+  accuracy.elements_per_radius = advice.elements_per_radius;
+  accuracy.replicates = advice.replicates;
+  accuracy.discretisation_error = advice.discretisation_error;
+  accuracy.noise_error = advice.noise_error;
+  accuracy.error = advice.error;
+  accuracy.cpu_seconds = advice.cpu_seconds;
+  return accuracy;
+}
 
 }  // namespace
 
@@ -43,26 +72,11 @@ double parse_accuracy(const std::string& text) {
   return value;
 }
 
-bool AccuracyChoice::can_be_run() const {
-  return advice.is_found && advice.elements_per_radius <= farthest_extrapolation * ladder.meshes.back();
-}
-
-std::string AccuracyChoice::refusal() const {
-  if (!advice.is_found) return fmt::format("an error of {:.3g} %: {}", 100 * advice.target, advice.why_not);
-  return fmt::format(
-      "an error of {:.3g} %: no mesh of the ladder (up to {} elements per radius) reaches it; by extrapolation {} "
-      "elements "
-      "per radius and {} replicates would, in about {:.3g} s of processor time: run these by --elements-per-radius and "
-      "--replicates, or a finer ladder by percal study --meshes",
-      100 * advice.target, ladder.meshes.back(), advice.elements_per_radius, advice.replicates, advice.cpu_seconds);
-}
-
-AccuracyChoice choose_setting(const Scene& scene, double target, Store& store, const Common& common) {
+AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store& store, const Common& common) {
   const std::string key = study_key(scene);
   const auto kept = kept_ladder(store, key);
   const LadderOptions options = kept.value_or(LadderOptions{});
-  const bool talk = !common.quiet && !common.json;
-  if (talk && !kept) {
+  if (common.talks() && !kept) {
     fmt::print("no study of this scene is kept: its error against time is measured first, by {} runs\n",
                ladder_runs(options));
     std::fflush(stdout);
@@ -73,27 +87,20 @@ AccuracyChoice choose_setting(const Scene& scene, double target, Store& store, c
     return run_ladder(scene, options, campaign, &progress);
   }();
   if (!kept) keep_ladder(store, key, ladder.options);
-  const AdvisedSetting advice = advise(ladder, error_vs_time(ladder), target);
-  if (talk && !kept) fmt::print("the study took {:.1f} s of processor time and is kept\n", campaign.cost().cpu_seconds);
-  return {advice, ladder.options, kept.has_value(), campaign.cost()};
+  const double cpu_seconds = campaign.cost().cpu_seconds;
+  if (common.talks() && !kept) fmt::print("the study took {:.1f} s of processor time and is kept\n", cpu_seconds);
+  AdvisedAccuracy accuracy = accuracy_of(advise(ladder, error_vs_time(ladder), target_error), ladder.options);
+  accuracy.study_was_kept = kept.has_value();
+  accuracy.study_cpu_seconds = cpu_seconds;
+  return accuracy;
 }
 
-Scene with_setting(const Scene& scene, const AccuracyChoice& choice) {
-  Scene set = rung_scene(scene, choice.advice.elements_per_radius, choice.ladder.time_step_factor.value(),
-                         Arithmetic::single_precision);
+Scene with_setting(const Scene& scene, const AdvisedAccuracy& advised) {
+  if (!advised.why_not.empty()) return scene;
+  Scene set = rung_scene(scene, *advised.elements_per_radius, advised.time_step_factor, Arithmetic::single_precision);
   set.output = scene.output;
-  set.replicates = choice.advice.replicates;
+  set.replicates = *advised.replicates;
   return set;
-}
-
-nlohmann::json accuracy_to_json(const AccuracyChoice& choice) {
-  auto json = advice_to_json(choice.advice);
-  json["ladder"] = {{"elements_per_radius", choice.ladder.meshes},
-                    {"replicates", choice.ladder.replicates},
-                    {"time_step_factor", choice.ladder.time_step_factor.value()}};
-  json["study_was_kept"] = choice.study_was_kept;
-  json["study_cpu_s"] = choice.study_cost.cpu_seconds;
-  return json;
 }
 
 }  // namespace percal::tools

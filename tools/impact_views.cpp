@@ -17,8 +17,11 @@ void ensure_writable(const std::string& file) {
   ensure_writable_folder(path.has_parent_path() ? path.parent_path().string() : ".");
 }
 
-void check_views(const ImpactArguments& arguments) {
+void check_views(const ImpactArguments& arguments, const Common& common) {
   if (!arguments.fields.empty()) parse_field_interval(arguments.fields, "--fields");
+  if (!arguments.fields.empty() && common.out == "none")
+    throw BadInput(Place{.file = "", .line = 0, .key = "--fields"}, "no folder for them (--out none)",
+                   "--out FOLDER, or none of --out");
   if (!arguments.picture.empty()) picture_format(arguments.picture, "--picture");
 }
 
@@ -29,12 +32,16 @@ void ensure_views_can_be_made(const ImpactArguments& arguments) {
     throw IoFailure("--picture: gnuplot, which draws it, cannot be run; on Debian it is the package gnuplot-nox");
 }
 
-ImpactViews::ImpactViews(const ImpactArguments& arguments, const Common& common, const Reduction& reduction)
+ImpactViews::ImpactViews(const ImpactArguments& arguments, const std::string& folder, const Reduction& reduction)
     : reduction_(reduction), picture_(arguments.picture) {
   if (arguments.fields.empty()) return;
-  const std::filesystem::path folder = std::filesystem::path(out_folder(arguments.scene, common)) / "fields";
-  series_.emplace(folder.string(), std::filesystem::path(arguments.scene).stem().string(),
+  series_.emplace((std::filesystem::path(folder) / "fields").string(),
+                  std::filesystem::path(arguments.scene).stem().string(),
                   parse_field_interval(arguments.fields, "--fields"), reduction.problem, reduction.scales);
+}
+
+std::optional<WrittenFields> ImpactViews::fields() const {
+  return series_ ? std::optional(WrittenFields{series_->list(), series_->frames()}) : std::nullopt;
 }
 
 void ImpactViews::see(const Frame& frame) {

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "percal/observe/fields.hpp"
+#include "percal/observe/page/impact_json.hpp"
 #include "percal/observe/picture.hpp"
 
 namespace percal::tools {
@@ -14,15 +15,15 @@ namespace percal::tools {
 void ensure_writable(const std::string& file);
 
 // Throws BadInput for what cannot be meant.
-void check_views(const ImpactArguments& arguments);
+void check_views(const ImpactArguments& arguments, const Common& common);
 
 // Before anything is computed. Throws IoFailure where the picture could not be written, or gnuplot is not there to draw it.
 void ensure_views_can_be_made(const ImpactArguments& arguments);
 
 class ImpactViews : public FrameObserver {
  public:
-  // Throws IoFailure where the fields' folder cannot be written to.
-  ImpactViews(const ImpactArguments& arguments, const Common& common, const Reduction& reduction);
+  // Fields go to `folder`/fields. Throws IoFailure where that cannot be written to.
+  ImpactViews(const ImpactArguments& arguments, const std::string& folder, const Reduction& reduction);
 
   FrameObserver* observer() { return series_ || !picture_.empty() ? this : nullptr; }
   bool is_due(const Moment& now) override { return series_ && series_->is_due(now); }
@@ -31,8 +32,7 @@ class ImpactViews : public FrameObserver {
   // After the run. Throws IoFailure.
   void draw(const std::string& title) const;
 
-  const std::optional<FieldSeries>& series() const { return series_; }
-  const std::string& picture() const { return picture_; }
+  std::optional<WrittenFields> fields() const;
 
  private:
   const Reduction& reduction_;

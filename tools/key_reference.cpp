@@ -11,7 +11,7 @@
 #include "percal/base/error.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/identify/job.hpp"
-#include "percal/problem/scale_job.hpp"
+#include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"

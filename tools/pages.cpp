@@ -88,6 +88,13 @@ void deliver(const Json& result, const std::string& folder, const Common& common
                common.details ? "" : " has all of it; --details prints it, percal report shows it as a page");
 }
 
+Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,
+               const Common& common) {
+  if (common.json) fmt::print("{}\n", Json{{"command", command}, {kind, file}, {"valid", true}}.dump());
+  if (common.talks()) fmt::print("{}: {}\n", file, words);
+  return Exit::done;
+}
+
 std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   return page::as_text(page::Table{.caption = "", .rows = rows, .notes = {}}, terminal_style(page::Detail::answer));
 }

@@ -19,6 +19,10 @@ page::ReadResult read_result(const std::string& file);
 // (--json), or its page as text, the answer alone or all of it (--details), or nothing (--quiet). Throws IoFailure.
 void deliver(const page::Json& result, const std::string& folder, const Common& common);
 
+// What --check ends with: that `file`, a "job" or a "scene", can be used, as JSON or in words ("a scene that can be run").
+Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,
+               const Common& common);
+
 // A table on standard output.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 

@@ -1,7 +1,7 @@
 // observe: what runs mean.
 //
-// The replicates of one impact as one penetration in SI, with warnings; runs as JSON, the history as CSV; fields for ParaView
-// and a picture of the last state.
+// The replicates of one impact as one penetration in SI, with warnings; the history as CSV; runs as the store keeps them; fields
+// for ParaView and a picture of the last state.
 //
 //     const percal::Penetration found = percal::summarise(runs, reduction.problem, reduction.scales);
 //     if (found.depth) std::cout << *found.depth << " m\n";
@@ -9,6 +9,7 @@
 // See docs/formats/impact.md and docs/formats/fields.md.
 #pragma once
 #include "percal/observe/fields.hpp"
+#include "percal/observe/history.hpp"
 #include "percal/observe/penetration.hpp"
 #include "percal/observe/picture.hpp"
-#include "percal/observe/result_json.hpp"
+#include "percal/observe/stored_run.hpp"

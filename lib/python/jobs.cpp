@@ -11,9 +11,7 @@
 #include "percal/identify/identification.hpp"
 #include "percal/identify/result_json.hpp"
 #include "percal/impact/kernel/kernel.hpp"
-#include "percal/problem/scale_job.hpp"
-#include "percal/problem/similar_scene.hpp"
-#include "percal/scene/scene_toml.hpp"
+#include "percal/scaling/page/page.hpp"
 
 namespace percal::python {
 namespace {
@@ -25,17 +23,14 @@ using Announce = std::function<void(const std::string&)>;
 std::string text_of(const json& result) { return result.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 std::string scaled(const ScaleJob& job) {
-  const Completion completion = complete(job.prototype.system, job.model.system);
-  return text_of(scale_to_json(job, completion, compare(job.prototype.system, completion.model, job.tolerance)));
+  return text_of(scale_to_json(job, complete(job.prototype.system, job.model.system), ""));
 }
 
 // The scene of the prototype made similar with the job's model. Throws BadInput where there is none.
 std::string similar_scene_of(ScaleJob job) {
   if (job.output_scene.empty()) job.output_scene = "similar scene";
   check_output_scene(job);
-  const Completion completion = complete(job.prototype.system, job.model.system);
-  require_similar(completion, job.file);
-  return scene_to_toml(similar_scene(*job.prototype_scene, job.prototype.system, completion.model), "");
+  return similar_scene_text(job, complete(job.prototype.system, job.model.system));
 }
 
 // Says a sentence to Python, if it listens; ends the work where it was asked to stop.

@@ -145,7 +145,7 @@ TEST_F(Disk, AFileThatMayNotGrowIsAFailureAndNotTheEndOfTheProcess) {
       "\"30 m/s\"\n";
   write("scale.toml", job);
   const Ended scale = run({"scale", "scale.toml", "--quiet", "--out", "out"}, at_most(1000));
-  expect_failure(scale, "result.json");
+  expect_failure(scale, "out");
   EXPECT_THAT(files("out"), IsEmpty());
   expect_failure(run({"impact", "layer.toml", "--store", "store"}, at_most(6000)), "store");
 }

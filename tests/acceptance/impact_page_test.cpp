@@ -14,6 +14,7 @@ TEST_F(ImpactPage, NamesEveryKeyOfTheResult) {
   EXPECT_GT(result.size(), 20u);
   for (const auto& [key, value] : result.items()) EXPECT_TRUE(is_named(key)) << key;
   for (const auto& [key, value] : result.at("energy").items()) EXPECT_TRUE(is_named(key)) << "energy." << key;
+  for (const auto& [key, value] : result.at("cost").items()) EXPECT_TRUE(is_named(key)) << "cost." << key;
   for (const auto& [key, value] : result.at("runs").at(0).items()) EXPECT_TRUE(is_named(key)) << "runs." << key;
 }
 

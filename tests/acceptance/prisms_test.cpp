@@ -53,6 +53,22 @@ TEST_F(Prisms, HalfAModelIsAsGoodAsTheWhole) {
   EXPECT_NEAR(half["depth_m"].get<double>() / whole["depth_m"].get<double>(), 1, 1e-9);
 }
 
+// Newton's second law, on a metre of thickness.
+TEST_F(Prisms, TheForceOnAHalfModelIsThatOnTheWholePrism) {
+  const double momentum = 0.7509e-3 / 2.90e-3 * 50;
+  for (const char* whole : {"true", "false"}) {
+    const json history =
+        impact("square.toml", {{"whole", whole}},
+               {"--elements-per-radius", "8", "--replicates", "1", "--history", path("history.csv")})["history"];
+    double impulse = 0;
+    for (std::size_t i = 1; i < history["time_s"].size(); ++i)
+      impulse += (history["time_s"][i].get<double>() - history["time_s"][i - 1].get<double>()) *
+                 (history["force_N_per_m"][i].get<double>() + history["force_N_per_m"][i - 1].get<double>()) / 2;
+    EXPECT_NEAR(impulse / momentum, 1, 0.01) << "whole: " << whole;
+    EXPECT_THAT(read("history.csv"), testing::StartsWith("time_s,tip_m,speed_m_s,force_N_per_m,"));
+  }
+}
+
 // The tip's strain grows with the mesh: a coarse one never reaches the thesis's 0.975, and the prism bounces off a dent.
 TEST_F(Prisms, TheRhombusAtItsPrintedErosionStrainOnlyDentsACoarseMesh) {
   const json rhombus = coarse("rhombus.toml");

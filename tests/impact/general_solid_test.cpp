@@ -304,7 +304,7 @@ TEST(GeneralSolid, AnyNumberOfThreadsGivesTheSameBitsWithAllOptionsOn) {
     const ImpactResult more = run_impact(p, threads);
     EXPECT_EQ(more.depth, one.depth);
     EXPECT_EQ(more.eroded, one.eroded);
-    for (const auto& [key, share] : energy_terms) EXPECT_EQ(more.energy.*share, one.energy.*share) << key;
+    for (const auto& [key, share, words] : energy_terms) EXPECT_EQ(more.energy.*share, one.energy.*share) << key;
   }
 }
 

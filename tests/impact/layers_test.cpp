@@ -28,7 +28,7 @@ TEST(Layers, WhereALikeLayerBeginsChangesNoBit) {
   const ImpactResult one = run_impact(cut_at(p, 7.3)), other = run_impact(cut_at(p, 1.5));
   EXPECT_GT(one.eroded, 50);
   EXPECT_EQ(one.depth, other.depth);
-  for (const auto& [key, share] : energy_terms) EXPECT_EQ(one.energy.*share, other.energy.*share) << key;
+  for (const auto& [key, share, words] : energy_terms) EXPECT_EQ(one.energy.*share, other.energy.*share) << key;
 }
 
 // The kernel of one plain layer is another one: the same to rounding, as long as erosion does not amplify it.
@@ -37,7 +37,7 @@ TEST(Layers, TwoLikeLayersAreOne) {
   const ImpactResult two = run_impact(cut_at(p, 1.4)), one = run_impact(p);
   EXPECT_EQ(two.steps, one.steps);
   EXPECT_NEAR(two.depth, one.depth, 1e-10);
-  for (const auto& [key, share] : energy_terms) EXPECT_NEAR(two.energy.*share, one.energy.*share, 1e-10) << key;
+  for (const auto& [key, share, words] : energy_terms) EXPECT_NEAR(two.energy.*share, one.energy.*share, 1e-10) << key;
 }
 
 // Row by row, whether its group of lanes lies in one layer or in two.

@@ -29,7 +29,7 @@ TEST_F(InstructionLevel, DepthsOfAllLevelsAgreeWithinTheScatter) {
     const Ended ended = run_gold(kernels.level);
     ASSERT_EQ(ended.code, 0) << kernels.level;
     const auto json = nlohmann::json::parse(ended.out);
-    EXPECT_EQ(json.at("isa"), kernels.level);
+    EXPECT_EQ(json.at("cost").at("isa"), kernels.level);
     depths[kernels.level] = json.at("depth_m");
   }
   for (const auto& [level, depth] : depths)
@@ -40,7 +40,7 @@ TEST_F(InstructionLevel, DepthsOfAllLevelsAgreeWithinTheScatter) {
 TEST_F(InstructionLevel, TheBestIsChosenWhereNoneIsNamed) {
   const Ended ended = run_gold("");
   ASSERT_EQ(ended.code, 0);
-  EXPECT_EQ(nlohmann::json::parse(ended.out).at("isa"), kernels_here().back().level);
+  EXPECT_EQ(nlohmann::json::parse(ended.out).at("cost").at("isa"), kernels_here().back().level);
 }
 
 TEST_F(InstructionLevel, AnUnknownOneIsBadInputThatNamesTheKnown) {

@@ -24,7 +24,7 @@ inline void same_motion(const ImpactResult& a, const ImpactResult& b) {
 // And in the energies of the whole block as well.
 inline void same_bits(const ImpactResult& a, const ImpactResult& b) {
   same_motion(a, b);
-  for (const auto& [key, share] : energy_terms) EXPECT_EQ(a.energy.*share, b.energy.*share) << key;
+  for (const auto& [key, share, words] : energy_terms) EXPECT_EQ(a.energy.*share, b.energy.*share) << key;
 }
 
 }  // namespace percal

@@ -31,7 +31,7 @@ TEST(Supersonic, ImpactsEndAsANamedOutcomeWithTheirEnergyAccountedFor) {
       for (const double number : {result.depth, result.end_speed, result.end_time, result.smallest_jacobian,
                                   result.smallest_step, result.largest_gap})
         EXPECT_TRUE(std::isfinite(number)) << pi4;
-      for (const auto& [key, share] : energy_terms) EXPECT_TRUE(std::isfinite(result.energy.*share)) << key;
+      for (const auto& [key, share, words] : energy_terms) EXPECT_TRUE(std::isfinite(result.energy.*share)) << key;
       EXPECT_GT(result.energy.viscosity, 0.02) << "shocks dissipate";
     }
 }

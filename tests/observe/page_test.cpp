@@ -1,58 +1,163 @@
-// The pages of impacts and of scaling against results made by hand.
+// The page of impacts, and the JSON that it reads: made by the writer from made-up runs.
+#include "percal/observe/page/page.hpp"
+
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
 #include "page/page_words.hpp"
+#include "percal/observe/page/impact_json.hpp"
+#include "percal/scene/scene_toml.hpp"
 
 namespace percal {
 namespace {
 
-using nlohmann::json;
+using page::Json;
 using test::figure_of;
+using test::section_of;
 using test::series_of;
 using test::words_of;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-json small_impact() {
-  return json::parse(R"({
-    "schema": 1, "percal": "0.1.0", "command": "impact", "outcome": "stopped", "isa": "x86_64_v3",
-    "input": {"scene": "/a/gold.toml",
-              "toml": "[particle]\nname = \"gold\"\nradius = \"1e-06 m\"\n\n[target]\nname = \"skin\"\nalpha = 8.5\n"},
-    "depth_m": 27.5e-6, "depth_spread_m": 4e-7, "depth_standard_error_m": 2.31e-7, "depth_at_least_m": null,
-    "mu_as_given_Pa": 63.75e6, "mu_true_Pa": 63.75e6, "convention": "true", "bulk_modulus_Pa": 3.1875e9,
-    "bulk_was_chosen": true, "mach": 0.36, "elements": 22050, "steps": 5722, "energy_worst_closure": 0.0029,
-    "energy": {"particle": 0.0, "elastic": 0.25, "eroded": 0.745, "sum": 0.995},
-    "runs": [{"speed_factor": 1.0, "outcome": "stopped", "depth_m": 27.2e-6, "steps": 5722, "cpu_s": 0.87, "reused": false},
-             {"speed_factor": 1.001, "outcome": "stopped", "depth_m": 27.8e-6, "steps": 5731, "cpu_s": 0.9, "reused": true}],
-    "history": {"time_s": [0, 1e-7, 2e-7], "tip_m": [0, 2e-5, 2.75e-5], "speed_m_s": [651, 300, 0], "force_N": [0, 1e-3, 5e-4],
-                "energy": {"particle": [1, 0.4, 0], "elastic": [0, 0.2, 0.25], "eroded": [0, 0.4, 0.745], "contact": [0, 0, 0]}},
-    "accuracy": null, "left_out": [{"what": "rotation", "why": "it is round"}], "warnings": ["Mach number 0.36"],
-    "wall_s": 2.0, "cpu_s": 0.87, "reused": 1})");
+const std::string gold_into_skin = R"(
+[particle]
+name = "gold"
+radius = "1 um"
+density = "16800 kg/m3"
+speed = "651 m/s"
+[target]
+name = "skin"
+density = "1000 kg/m3"
+mu = "15 MPa"
+convention = "mu/alpha"
+alpha = 8.5
+depth = "75 um"
+width = "5 um"
+[mesh]
+elements_per_radius = 14
+)";
+
+Evaluation stopped_at(double depth_in_radii, bool reused) {
+  Evaluation run;
+  run.result.outcome = Outcome::stopped;
+  run.result.depth = depth_in_radii;
+  run.result.elements = 22050;
+  run.result.steps = 5722;
+  run.result.energy = {.elastic = 0.25, .eroded = 0.745};
+  run.instruction_level = "x86_64_v3";
+  run.reused = reused;
+  return run;
 }
 
-TEST(ImpactPage, HasTheNumbersOfItsResult) {
-  const std::string words = words_of(impact_page(small_impact()));
+// In radii and radii over impact speed.
+const std::vector<HistoryPoint> three_points{{0, 0, 1, 0, {.particle = 1}},
+                                             {65.1, 20, 0.46, 1e-3, {.particle = 0.4, .elastic = 0.2, .eroded = 0.4}},
+                                             {130.2, 27.5, 0, 5e-4, {.elastic = 0.25, .eroded = 0.745}}};
+
+class AnImpact : public testing::Test {
+ protected:
+  Scene scene = parse_scene(gold_into_skin, "/a/gold.toml");
+  Reduction reduction = reduce(scene);
+  ImpactFindings found{.scene = scene,
+                       .reduction = reduction,
+                       .runs = {stopped_at(27.2, false), stopped_at(27.8, true)},
+                       .cost = {.runs = 1, .reused = 1, .cpu_seconds = 0.87, .instruction_level = "x86_64_v3"}};
+  Json result() {
+    if (!found.runs.empty()) found.penetration = summarise(found.runs, reduction.problem, reduction.scales);
+    return impact_to_json(found);
+  }
+  page::Page page() { return impact_page(result()); }
+  void read(const std::string& toml) {
+    scene = parse_scene(toml, "/a/gold.toml");
+    reduction = reduce(scene);
+  }
+};
+class ImpactJson : public AnImpact {};
+class ImpactPage : public AnImpact {};
+
+const AdvisedAccuracy two_percent{.target_error = 0.02,
+                                  .elements_per_radius = 20,
+                                  .replicates = 3,
+                                  .discretisation_error = 0.0125,
+                                  .noise_error = 0.0075,
+                                  .error = 0.0146,
+                                  .cpu_seconds = 2,
+                                  .studied_meshes = {5, 7, 10, 14},
+                                  .study_was_kept = true};
+
+std::vector<std::string> keys_of(const Json& object) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+TEST_F(ImpactJson, HasTheSameKeysWhateverWasFound) {
+  const Json plain = result();
+  found.runs.front().result.history = three_points;
+  found.fields = WrittenFields{"gold.out/fields/gold.pvd", 41};
+  found.picture = "gold.png";
+  found.accuracy = two_percent;
+  const Json everything = result();
+  found.runs.clear();
+  found.penetration = {};
+  found.accuracy = AdvisedAccuracy{.target_error = 0.001, .why_not = "out of reach"};
+  const Json not_run = result();
+  EXPECT_EQ(keys_of(everything), keys_of(plain));
+  EXPECT_EQ(keys_of(not_run), keys_of(plain));
+  EXPECT_EQ(keys_of(not_run["accuracy"]), keys_of(everything["accuracy"]));
+  for (const char* key : {"outcome", "depth_m", "energy", "energy_worst_closure", "elements"})
+    EXPECT_TRUE(not_run[key].is_null()) << key;
+}
+
+TEST_F(ImpactPage, TakesNoMissingKeyForANo) {
+  for (const char* key : {"convention", "bulk_was_chosen", "outcome", "accuracy", "history", "findings"}) {
+    Json cut = result();
+    cut.erase(key);
+    try {
+      impact_page(cut);
+      FAIL() << key;
+    } catch (const page::MissingKey& missing) {
+      EXPECT_EQ(missing.key, key);
+    }
+  }
+}
+
+TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
+  const std::string words = words_of(page());
   for (const char* there :
-       {"Impact: gold into skin", "Depth 27.5 um, standard error 230 nm", "mu, true | 63.75 MPa", "2 mu/alpha | 15 MPa",
-        "3.188 GPa, chosen by the program", "radius | 1 um", "eroded elements | 74.50 %", "sum | 99.50 %",
-        "rotation: it is round", "Mach number 0.36", "x86_64_v3", "1.001 | stopped | 27.8 um"})
+       {"Impact: gold into skin", "Depth 27.5 um, standard error 300 nm (a single run scatters by 424 nm, 2 runs)",
+        "mu, true | 63.75 MPa", "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program",
+        "22050, 14 per radius", "radius | 1 um", "eroded elements | 74.50 %", "sum | 99.50 %",
+        "rotation: ", "Mach number | 0.299", "x86_64_v3", "1.001 | stopped | 27.8 um"})
     EXPECT_THAT(words, HasSubstr(there));
 }
 
-TEST(ImpactPage, ASceneInTheOtherConventionShowsBothNumbersToo) {
-  json result = small_impact();
-  result["convention"] = "mu/alpha";
-  result["mu_as_given_Pa"] = 15e6;
-  EXPECT_THAT(words_of(impact_page(result)),
-              testing::AllOf(HasSubstr("mu, true | 63.75 MPa"), HasSubstr("2 mu/alpha | 15 MPa")));
+TEST_F(ImpactPage, TheAnswerIsTheDepthItsErrorTheModuliAndWhatToKnow) {
+  found.fields = WrittenFields{"gold.out/fields/gold.pvd", 41};
+  found.picture = "gold.png";
+  found.runs.front().result.distorted = 3;
+  const page::Page whole = page();
+  std::vector<std::string> answer;
+  for (const page::Section& section : whole.sections)
+    if (section.detail == page::Detail::answer) answer.push_back(section.id);
+  EXPECT_THAT(answer, ElementsAre("result", "findings"));
+  EXPECT_THAT(words_of(*section_of(whole, "result")), AllOf(HasSubstr("gold.out/fields/gold.pvd, 41 frames"),
+                                                            HasSubstr("gold.png"), HasSubstr("--accuracy 2%")));
 }
 
-TEST(ImpactPage, StacksTheEnergyLedgerOverTime) {
-  const Page page = impact_page(small_impact());
-  const Figure* figure = figure_of(page, "energy_over_time");
+TEST_F(ImpactPage, ASceneWithTheTrueModulusShowsBothNumbersToo) {
+  std::string toml = gold_into_skin;
+  toml.replace(toml.find("15 MPa\"\nconvention = \"mu/alpha\""), 31, "63.75 MPa\"");
+  read(toml);
+  EXPECT_THAT(words_of(page()),
+              AllOf(HasSubstr("mu, true | 63.75 MPa, as the scene gives it"), HasSubstr("2 mu/alpha | 15 MPa\n")));
+}
+
+TEST_F(ImpactPage, StacksTheEnergyLedgerOverTime) {
+  found.runs.front().result.history = three_points;
+  const page::Page whole = page();
+  const page::Figure* figure = figure_of(whole, "energy_over_time");
   ASSERT_NE(figure, nullptr);
   EXPECT_EQ(figure->chart.x.label, "time since contact, us");
   const Series* elastic = series_of(*figure, "elastic");
@@ -61,53 +166,43 @@ TEST(ImpactPage, StacksTheEnergyLedgerOverTime) {
   EXPECT_THAT(elastic->high, ElementsAre(1, testing::DoubleEq(0.6), 0.25));
   EXPECT_EQ(series_of(*figure, "contact springs"), nullptr);  // never there
   EXPECT_THAT(figure->caption, HasSubstr("within 0.5 %"));
-  ASSERT_NE(figure_of(page, "tip_over_time"), nullptr);
-  EXPECT_THAT(figure_of(page, "tip_over_time")->chart.series[0].y,
+  ASSERT_NE(figure_of(whole, "tip_over_time"), nullptr);
+  EXPECT_THAT(figure_of(whole, "tip_over_time")->chart.series[0].y,
               ElementsAre(0, testing::DoubleEq(20), testing::DoubleEq(27.5)));
+  EXPECT_EQ(figure_of(whole, "force_over_time")->chart.y.label, "force upwards, uN");
 }
 
-TEST(ImpactPage, WithoutAHistoryItSaysHowToGetOne) {
-  json result = small_impact();
-  result["history"] = nullptr;
-  const Page page = impact_page(result);
-  EXPECT_EQ(figure_of(page, "energy_over_time"), nullptr);
-  EXPECT_THAT(words_of(page), HasSubstr("--history FILE.csv"));
+TEST_F(ImpactPage, TheForceInPlaneStrainIsThatOnAMetreOfThickness) {
+  read("geometry = \"plane strain\"\n" + gold_into_skin);
+  found.runs.front().result.history = three_points;
+  EXPECT_EQ(figure_of(page(), "force_over_time")->chart.y.label, "force upwards, N per metre of thickness");
 }
 
-TEST(ImpactPage, SaysWhereTheErrorComesFrom) {
-  json result = small_impact();
-  EXPECT_THAT(words_of(impact_page(result)), HasSubstr("The error of the mesh is not in it"));
-  result["accuracy"] = {
-      {"target_error", 0.02}, {"discretisation_error", 0.0125}, {"noise_error", 0.0075}, {"error", 0.0146}};
-  EXPECT_THAT(words_of(impact_page(result)),
-              testing::AllOf(HasSubstr("mesh | 1.2 %"), HasSubstr("noise of erosion | 0.8 %")));
+TEST_F(ImpactPage, WithoutAHistoryItSaysHowToGetOne) {
+  EXPECT_EQ(figure_of(page(), "energy_over_time"), nullptr);
+  EXPECT_THAT(words_of(page()), HasSubstr("--history FILE.csv"));
 }
 
-TEST(ImpactPage, AParticleThatPassedThroughHasALowerBound) {
-  json result = small_impact();
-  result.update({{"outcome", "passed through"}, {"depth_m", nullptr}, {"depth_at_least_m", 75e-6}});
-  EXPECT_THAT(impact_page(result).summary, HasSubstr("deeper than 75 um"));
+TEST_F(ImpactPage, SaysWhereTheErrorComesFrom) {
+  EXPECT_THAT(words_of(page()), HasSubstr("the error of the mesh is not in it"));
+  found.accuracy = two_percent;
+  EXPECT_THAT(words_of(page()),
+              AllOf(HasSubstr("Estimated error of the depth 1.5 % (mesh 1.2 %, noise of erosion 0.75 %)"),
+                    HasSubstr("mesh | 1.2 %"), HasSubstr("noise of erosion | 0.8 %"), Not(HasSubstr("is not in it"))));
 }
 
-TEST(ScalePage, HasGroupsSystemsAndWhatStandsInTheWay) {
-  const json result = json::parse(R"({
-    "schema": 1, "version": "0.1.0", "command": "scale", "job": "similar.toml", "input": "[prototype]\n", "tolerance": 0.01,
-    "prototype": {"particle": "gold", "target": "skin", "convention": "mu/alpha", "mu_true_Pa": 63.75e6, "alpha": 8.5, "radius_m": 1e-6,
-                  "strain_rate_1_s": 1e8},
-    "model": {"particle": "steel", "target": "gelatin", "convention": "mu/alpha", "mu_true_Pa": 481127, "alpha": 8.5, "radius_m": 1.59e-3},
-    "groups": [{"symbol": "pi4", "formula": "rho_t v^2 / mu", "name": "inertia", "prototype": 6.64786, "model": 6.64786,
-                "agreement": "agree", "difference": 0.0},
-               {"symbol": "pi9", "formula": "rate a / v", "name": "strain rate", "prototype": null, "model": null,
-                "agreement": "missing", "difference": null, "missing_in_model": ["rate"]}],
-    "derived": [{"quantity": "mu_true_Pa", "value": 481127, "from": "pi4"}],
-    "not_similar_because": ["the radius is given twice"], "modulus_ratio": 0.007547})");
-  const std::string words = words_of(scale_page(result));
-  for (const char* there :
-       {"1 of 2 groups agree", "0.007547 times", "pi4 | rho_t v^2 / mu | inertia | 6.64786 | 6.64786 | +0.00 % | agree",
-        "missing; model lacks rate", "the radius is given twice", "true shear modulus | 63.75 MPa | 481.127 kPa",
-        "2 mu/alpha | 15 MPa | 113.2 kPa", "particle radius | 1 um | 1.59 mm", "strain rate | 1e+08 1/s | -",
-        "true shear modulus | 481.127 kPa | pi4", "[prototype]"})
-    EXPECT_THAT(words, HasSubstr(there));
+TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {
+  found.runs.clear();
+  found.accuracy = AdvisedAccuracy{.target_error = 0.001, .why_not = "An error of 0.1 %: no mesh reaches it"};
+  const page::Page whole = page();
+  EXPECT_EQ(whole.summary, "Not run. An error of 0.1 %: no mesh reaches it");
+  EXPECT_THAT(words_of(whole),
+              AllOf(HasSubstr("asked for | 0.1 %"), HasSubstr("mu, true | 63.75 MPa"), Not(HasSubstr("depth, mean"))));
+}
+
+TEST_F(ImpactPage, AParticleThatPassedThroughHasALowerBound) {
+  for (Evaluation& run : found.runs) run.result.outcome = Outcome::passed_through;
+  EXPECT_THAT(page().summary, HasSubstr("deeper than 75 um"));
 }
 
 }  // namespace

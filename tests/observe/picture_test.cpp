@@ -71,7 +71,7 @@ TEST(Picture, IsMirroredUnlessTheModelIsWhole) {
 TEST(Picture, ATitleIsTextAndNotACommand) {
   const std::string script =
       picture_script(last_frame(crater()), crater(), scales, PictureFormat::svg, "it's\nexit\n`touch x`");
-  EXPECT_THAT(script, HasSubstr("set title 'it''s exit `touch x`' noenhanced\n"));
+  EXPECT_THAT(script, HasSubstr("set title 'it''sexit`touch x`' noenhanced\n"));
 }
 
 // Where gnuplot is there.

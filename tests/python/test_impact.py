@@ -1,7 +1,9 @@
 """Scenes and impacts, and what Ctrl-C does to them."""
 
+import json
 import os
 import signal
+import subprocess
 import tempfile
 import threading
 import time
@@ -13,6 +15,11 @@ import percal
 
 DATA = os.environ["PERCAL_DATA"]
 GOLD = percal.Scene.read(os.path.join(DATA, "guha2009", "gold.toml"))
+
+
+def keys_of(value):
+    """Every key, with those below it."""
+    return {key: keys_of(inner) for key, inner in value.items()} if isinstance(value, dict) else None
 
 
 class AScene(unittest.TestCase):
@@ -41,12 +48,24 @@ class AnImpact(unittest.TestCase):
         self.assertAlmostEqual(sum(v for k, v in found.energy.items() if k != "sum"), found.energy["sum"], places=9)
         self.assertAlmostEqual(found.history["tip_m"].max(), found.depths[0], delta=0.01 * found.depth)
         self.assertTrue(np.all(np.diff(found.history["time_s"]) > 0))
+        self.assertEqual(found.history["energy_particle"][0], 1)
         self.assertRegex(repr(found), r"stopped, depth .* um \+- .* \(standard error of 3 runs\)")
 
     def test_has_the_same_bits_at_any_number_of_threads(self):
         one, two = (percal.impact(GOLD, 4, replicates=2, threads=n, history=False) for n in (1, 2))
         np.testing.assert_array_equal(one.depths, two.depths)
         self.assertEqual(one.history, {})
+
+    def test_has_the_keys_of_the_programs_result(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([os.environ["PERCAL_PROGRAM"], "impact", GOLD.source, "--elements-per-radius", "4", "--history", "h.csv", "--out",
+                            "out", "--store", "store", "--quiet"], cwd=folder, check=True)
+            with open(os.path.join(folder, "out", "result.json"), encoding="utf-8") as file:
+                printed = json.load(file)
+        found = percal.impact(GOLD, elements_per_radius=4).result
+        self.assertEqual(keys_of(found), keys_of(printed))
+        self.assertEqual(found["depth_m"], printed["depth_m"])
+        self.assertEqual((found["convention"], found["bulk_was_chosen"]), ("mu/alpha", False))
 
     def test_is_found_again_in_its_store(self):
         with tempfile.TemporaryDirectory() as folder:

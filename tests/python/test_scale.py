@@ -16,7 +16,7 @@ class TwoSystems(unittest.TestCase):
         self.assertTrue(found.is_similar)
         self.assertEqual(found.groups["pi4"][2], "agree")
         self.assertAlmostEqual(found.modulus_ratio, 0.0075471, places=6)
-        self.assertEqual(found["command"], "scale")
+        self.assertEqual((found["command"], found["schema"]), ("scale", 2))
 
     def test_as_dicts_are_completed(self):
         steel = {"radius": "1.59 mm", "particle_density": "7800 kg/m3", "speed": "83 m/s"}

@@ -15,6 +15,7 @@ using test::guha2009;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class PercalScale : public test::Program {
  protected:
@@ -97,11 +98,17 @@ TEST_F(PercalScale, FindsTheGroupsOfBothShippedScenesEqualToTwelveDigits) {
   EXPECT_EQ(result["groups"][2]["agreement"], "differ") << "steel is not gold: rigid in both";
 }
 
-TEST_F(PercalScale, PrintsTheGroupsTheMissingValuesAndBothModuli) {
-  auto ended = scale({guha2009 + "similar.toml", "--write-scene", path("steel.toml")});
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("pi10"), HasSubstr("prototype lacks strain_rate"),
-                               HasSubstr("464.3 kg/m3    from pi5"), HasSubstr("41.34 mm"),
-                               HasSubstr("113.2 kPa as given (mu/alpha), 481.1 kPa true"), HasSubstr("0.00754709")));
+TEST_F(PercalScale, PrintsTheMissingValuesBothModuliAndTheUnequalGroupsFirst) {
+  const std::vector<std::string> arguments{guha2009 + "similar.toml", "--write-scene", path("steel.toml")};
+  auto ended = scale(arguments);
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("0.007547 times"), HasSubstr("41.34 mm"), HasSubstr("113.2 kPa"),
+                               HasSubstr("481.127 kPa"), testing::ContainsRegex("464.286 kg/m3 +pi5"),
+                               testing::ContainsRegex("pi10 .*both lack time"),
+                               HasSubstr("The similar scene: " + path("steel.toml")), Not(HasSubstr("rho_t / rho_p"))));
+  EXPECT_LE(std::count(ended.out.begin(), ended.out.end(), '\n'), 27);
+  auto details = arguments;
+  details.push_back("--details");
+  EXPECT_THAT(scale(details).out, AllOf(HasSubstr("rho_t / rho_p"), HasSubstr("Both systems without dimensions")));
 }
 
 TEST_F(PercalScale, NamesTheUnitsInTheKeysOfItsResult) {
@@ -113,7 +120,28 @@ TEST_F(PercalScale, NamesTheUnitsInTheKeysOfItsResult) {
   EXPECT_NEAR(found["model"]["target_density_kg_m3"], 464.2857, 1e-4);
   EXPECT_NEAR(found["modulus_ratio"], 0.00754709, 1e-8);
   EXPECT_TRUE(found["model"]["penetration_m"].is_null()) << "this job says no penetration";
-  EXPECT_FALSE(fs::exists(path("job.out"))) << "no folder without being asked for one";
+  EXPECT_FALSE(fs::exists(path("job.out")));
+}
+
+TEST_F(PercalScale, WritesItsResultIntoAFolderOfItsJobsNameUnlessToldOtherwise) {
+  const auto printed = scale({job(ball), "--json"});
+  EXPECT_EQ(read("job.out/result.json"), printed.out);
+  EXPECT_EQ(files("job.out"), (std::set<std::string>{"job.out/result.json"}));
+  fs::remove_all(path("job.out"));
+  EXPECT_EQ(scale({job(ball), "--out", "none"}).code, 0);
+  EXPECT_FALSE(fs::exists(path("job.out")) || fs::exists(path("none")));
+}
+
+// docs/formats/scale.md
+TEST_F(PercalScale, HasAPageOfItsFormatThatNamesEveryKey) {
+  const auto found = nlohmann::json::parse(scale({job(ball), "--json"}).out);
+  const std::string page = read_file(test::docs + "formats/scale.md");
+  const auto expect_named = [&](const nlohmann::json& object) {
+    for (const auto& [key, value] : object.items()) EXPECT_THAT(page, HasSubstr("`" + key + "`"));
+  };
+  expect_named(found);
+  expect_named(found["groups"][0]);
+  expect_named(found["derived"][0]);
 }
 
 TEST_F(PercalScale, ReadsSystemsWithoutAScene) {

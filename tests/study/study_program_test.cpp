@@ -117,10 +117,10 @@ TEST_F(Study, IsWhatAnAccuracyOfAnImpactComesFrom) {
   EXPECT_NEAR(accuracy["error"],
               std::hypot(accuracy["discretisation_error"].get<double>(), accuracy["noise_error"].get<double>()), 1e-12);
   EXPECT_EQ(found["runs"].size(), accuracy["replicates"].get<std::size_t>());
-  EXPECT_EQ(found["reused"], found["runs"].size()) << "the ladder has run this setting";
+  EXPECT_EQ(found["cost"]["reused"], found["runs"].size()) << "the ladder has run this setting";
   EXPECT_THAT(found["input"]["toml"].get<std::string>(),
               HasSubstr("elements_per_radius = " + std::to_string(accuracy["elements_per_radius"].get<int>())));
-  EXPECT_THAT(run({"impact", file, "--accuracy", "50%"}).out, HasSubstr("estimated error"));
+  EXPECT_THAT(run({"impact", file, "--accuracy", "50%"}).out, HasSubstr("Estimated error"));
 }
 
 TEST_F(Study, AnAccuracyOutOfReachIsSaidAndNotRun) {
@@ -130,8 +130,9 @@ TEST_F(Study, AnAccuracyOutOfReachIsSaidAndNotRun) {
   EXPECT_EQ(ended.code, 3);
   const json found = json::parse(ended.out);
   EXPECT_TRUE(found["depth_m"].is_null());
-  EXPECT_TRUE(found["accuracy"]["found"] == false || found["accuracy"]["cost_estimated"] == true);
-  EXPECT_THAT(run({"impact", file, "--accuracy", "0.1%"}).out, HasSubstr("not run. an error of 0.1 %"));
+  EXPECT_THAT(found["accuracy"]["why_not"].get<std::string>(), HasSubstr("An error of 0.1 %"));
+  EXPECT_THAT(run({"impact", file, "--accuracy", "0.1%"}).out, HasSubstr("Not run. An error of 0.1 %"));
+  EXPECT_TRUE(result("dent.out/result.json")["outcome"].is_null());
 }
 
 TEST_F(Study, AnAccuracyIsAShareOfTheDepth) {

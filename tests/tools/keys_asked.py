@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 
-READERS = ["scene/*_toml.cpp", "scaling/system.cpp", "scaling/system_toml.cpp", "problem/scale_job.cpp",
+READERS = ["scene/*_toml.cpp", "scaling/system.cpp", "scaling/system_toml.cpp", "scaling/scale_job.cpp",
            "identify/read_job.cpp", "calibrate/job/*.cpp", "text/job_table.cpp"]
 WRITERS = {"scene_to_toml.cpp"}
 GETTERS = ("quantity|quantities|quantity_pairs|optional_quantity|number|numbers|optional_number|integer|optional_integer|flag|text"

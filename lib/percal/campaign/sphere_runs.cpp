@@ -7,7 +7,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/impact/kernel/kernel.hpp"
-#include "percal/observe/result_json.hpp"
+#include "percal/observe/stored_run.hpp"
 
 namespace percal {
 namespace {

@@ -26,7 +26,7 @@ Outcome outcome_from(const std::string& word) {
 
 double EnergyLedger::sum() const {
   double sum = 0;
-  for (const auto& [key, share] : energy_terms) sum += this->*share;
+  for (const auto& [key, share, words] : energy_terms) sum += this->*share;
   return sum;
 }
 

@@ -33,28 +33,30 @@ struct EnergyLedger {
   double numerical_loss() const { return viscosity + contact_dropped; }  // no part of the physics asked for
 };
 
-// Every term of the ledger with its key in results, in the order in which sum() adds them.
+// Every term of the ledger with its key in results and its words on pages, in the order in which sum() adds them.
 struct EnergyTerm {
   const char* key;
   double EnergyLedger::*share;
+  const char* words;
 };
-inline constexpr EnergyTerm energy_terms[] = {{"particle", &EnergyLedger::particle},
-                                              {"particle_elastic", &EnergyLedger::particle_elastic},
-                                              {"live_kinetic", &EnergyLedger::live_kinetic},
-                                              {"freed_mass", &EnergyLedger::freed_mass},
-                                              {"elastic", &EnergyLedger::elastic},
-                                              {"hourglass", &EnergyLedger::hourglass},
-                                              {"viscosity", &EnergyLedger::viscosity},
-                                              {"relaxation", &EnergyLedger::relaxation},
-                                              {"eroded", &EnergyLedger::eroded},
-                                              {"contact", &EnergyLedger::contact},
-                                              {"contact_dropped", &EnergyLedger::contact_dropped}};
+inline constexpr EnergyTerm energy_terms[] = {
+    {"particle", &EnergyLedger::particle, "particle, kinetic"},
+    {"particle_elastic", &EnergyLedger::particle_elastic, "particle, elastic"},
+    {"live_kinetic", &EnergyLedger::live_kinetic, "nodes with elements, kinetic"},
+    {"freed_mass", &EnergyLedger::freed_mass, "freed mass, kinetic"},
+    {"elastic", &EnergyLedger::elastic, "elastic"},
+    {"hourglass", &EnergyLedger::hourglass, "hourglass springs"},
+    {"viscosity", &EnergyLedger::viscosity, "bulk viscosity"},
+    {"relaxation", &EnergyLedger::relaxation, "relaxation"},
+    {"eroded", &EnergyLedger::eroded, "eroded elements"},
+    {"contact", &EnergyLedger::contact, "contact springs"},
+    {"contact_dropped", &EnergyLedger::contact_dropped, "contact springs dropped at erosion"}};
 
 struct HistoryPoint {
-  double time;   // radii over impact speed
-  double tip;    // depth of the tip, radii
-  double speed;  // over impact speed, half a step behind
-  double force;  // on the sphere, upwards, over rho_t v^2 a^2 per radian
+  double time;               // radii over impact speed
+  double tip;                // depth of the tip, radii
+  double speed;              // over impact speed, half a step behind
+  double force;              // on the sphere, upwards, over rho_t v^2 a^2 per radian
   EnergyLedger energy = {};  // at this time, velocities too
 };
 
@@ -76,7 +78,7 @@ struct ImpactResult {
   double smallest_step = 0;  // over the first
   double largest_gap = 0;    // deepest overlap of a node with the sphere, in element sizes
   EnergyLedger energy;
-  double helper_cpu_seconds = 0;  // processor time of threads besides the calling one
+  double helper_cpu_seconds = 0;      // processor time of threads besides the calling one
   std::vector<HistoryPoint> history;  // empty unless asked for
 };
 

@@ -10,12 +10,22 @@ namespace {
 
 EnergyLedger mean_energy(const std::vector<Evaluation>& replicates) {
   EnergyLedger mean;
-  for (const auto& [key, share] : energy_terms)
-    for (const auto& run : replicates) mean.*share += run.result.energy.*share / static_cast<double>(replicates.size());
+  for (const EnergyTerm& term : energy_terms)
+    for (const auto& run : replicates)
+      mean.*term.share += run.result.energy.*term.share / static_cast<double>(replicates.size());
   return mean;
 }
 
 }  // namespace
+
+std::vector<Problem> replicates_of(const Problem& problem, int count) {
+  std::vector<Problem> replicates(count, problem);
+  for (int k = 0; k < count; ++k) {
+    replicates[k].speed_factor = replicate_speed_factor(k);
+    if (k > 0) replicates[k].history_samples = 0;
+  }
+  return replicates;
+}
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales) {
   Penetration p;

@@ -18,6 +18,9 @@ struct Evaluation {
   bool reused = false;  // taken from the store
 };
 
+// A problem's replicates, at slightly different speeds. The first keeps the history, the others are for the scatter.
+std::vector<Problem> replicates_of(const Problem& problem, int count);
+
 // The replicates of one problem. Depths are averaged only where every run stopped: outcomes of different kinds are never
 // mixed into one number.
 struct Penetration {

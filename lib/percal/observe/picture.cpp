@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "percal/base/error.hpp"
+#include "percal/page/numbers.hpp"
+#include "percal/plot/quoted.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
@@ -34,26 +36,6 @@ Window window_of(const Frame& frame, const Problem& problem) {
   for (const Point& point : frame.target.position)
     if (std::isfinite(point[0])) widest = std::max(widest, std::abs(point[0]));
   return {widest > 0 ? std::min(beside, widest) : beside, -tip - below, above};
-}
-
-struct LengthUnit {
-  const char* name;
-  double metres;
-};
-LengthUnit unit_for(double largest) {
-  if (largest < 1e-3) return {"um", 1e-6};
-  if (largest < 1) return {"mm", 1e-3};
-  return {"m", 1};
-}
-
-// In single quotes nothing is special but the quote.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += '\'';
-    out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return out + "'";
 }
 
 // Sizes in pixels so that both axes have one scale, and the title has room.
@@ -133,8 +115,8 @@ PictureFormat picture_format(const std::string& file, const std::string& key) {
 std::string picture_script(const Frame& frame, const Problem& problem, const Scales& scales, PictureFormat format,
                            const std::string& title) {
   const Window window = window_of(frame, problem);
-  const LengthUnit length = unit_for(std::max(window.width(), window.height()) * scales.radius);
-  const double unit = scales.radius / length.metres;  // of a radius
+  const page::ShownUnit length = page::length_unit(std::max(window.width(), window.height()) * scales.radius);
+  const double unit = scales.radius / length.size;  // of a radius
   const Cells cells = cells_in(window, frame.target, unit);
   std::string script = canvas(format, window, title.size());
   script +=
@@ -142,7 +124,7 @@ std::string picture_script(const Frame& frame, const Problem& problem, const Sca
       "offset -0.7,0\n";
   script += "set pm3d explicit corners2color c1 border retrace\n";
   script += "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
-  script += fmt::format("set title {} noenhanced\n", quoted(title));
+  script += fmt::format("set title {} noenhanced\n", gnuplot_quoted(title));
   script += fmt::format("set xlabel 'distance from the axis, {}' offset 0,1.5\nset ylabel 'depth, {}' rotate\n",
                         length.name, length.name);
   script += "set cblabel 'largest principal stretch'\n";

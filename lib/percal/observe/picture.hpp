@@ -12,7 +12,7 @@ enum class PictureFormat { png, svg, pdf };
 // By the end of the file's name. Throws BadInput, which names `key`.
 PictureFormat picture_format(const std::string& file, const std::string& key);
 
-// For gnuplot (plot/gnuplot.hpp). Eroded elements are left out, and what is far from the crater. Lengths in um, mm or m.
+// For gnuplot (plot/gnuplot.hpp). Eroded elements are left out, and what is far from the crater. Lengths in um, mm or cm.
 std::string picture_script(const Frame& frame, const Problem& problem, const Scales& scales, PictureFormat format,
                            const std::string& title);
 

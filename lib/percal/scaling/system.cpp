@@ -30,6 +30,11 @@ const SystemQuantity& system_quantity(std::optional<double> System::*member) {
   return *std::ranges::find(system_quantities(), member, &SystemQuantity::member);
 }
 
+std::string result_key(const SystemQuantity& quantity) {
+  const std::string key = quantity.member == &System::mu ? "mu_true" : quantity.key;
+  return quantity.unit.empty() ? key : key + "_" + quantity.unit;
+}
+
 double required(const System& system, std::optional<double> System::*member) {
   if (system.*member) return *(system.*member);
   const auto& quantity = system_quantity(member);

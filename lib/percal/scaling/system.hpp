@@ -40,6 +40,9 @@ struct SystemQuantity {
 std::span<const SystemQuantity> system_quantities();
 const SystemQuantity& system_quantity(std::optional<double> System::*member);
 
+// Its key in results, which says the unit and that mu is the true one: "mu_true_Pa".
+std::string result_key(const SystemQuantity& quantity);
+
 // The number, or BadInput that names the system and what it lacks.
 double required(const System& system, std::optional<double> System::*member);
 

@@ -17,7 +17,7 @@ constexpr double clearly_negative = -0.05;  // of the impact energy
 std::vector<double> numbers_of(const ImpactResult& r) {
   std::vector<double> numbers{r.depth,         r.end_time,          r.end_speed,     r.sideways,    r.turn,
                               r.element_steps, r.smallest_jacobian, r.smallest_step, r.largest_gap, r.energy.sum()};
-  for (const auto& [key, share] : energy_terms) numbers.push_back(r.energy.*share);
+  for (const auto& [key, share, words] : energy_terms) numbers.push_back(r.energy.*share);
   return numbers;
 }
 
@@ -50,7 +50,7 @@ std::vector<std::string> judge_run(const ImpactResult& result, const Problem& pr
     troubles.push_back(fmt::format("the energy is {:+.1f} % off", 100 * closure));
   if (result.smallest_jacobian <= 0)
     troubles.push_back(fmt::format("an element was turned inside out: J = {:.3g}", result.smallest_jacobian));
-  for (const auto& [key, share] : energy_terms)
+  for (const auto& [key, share, words] : energy_terms)
     if (result.energy.*share < clearly_negative)
       troubles.push_back(fmt::format("{} has {:.1f} % of the energy", key, 100 * result.energy.*share));
   // The tip may be a step's way past the bottom.

@@ -117,7 +117,7 @@ class Impact:
     left_out: list[str]
     warnings: list[str]
     history: dict[str, _Array]
-    def __init__(self, result: dict[str, Any], history: dict[str, _Array]) -> None: ...
+    def __init__(self, result: dict[str, Any]) -> None: ...
 
 def impact(
     scene: Scene | Mapping[str, Any] | _Path,

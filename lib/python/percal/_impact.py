@@ -1,6 +1,5 @@
 """Impacts: a scene in, a depth out."""
 
-import io
 import json
 import os
 
@@ -77,11 +76,11 @@ class Impact:
 
     outcome: stopped, passed through, time up or unstable; depth: mean of the runs, None unless all stopped; spread: sample standard
     deviation of a run; standard_error: of the mean; at_least: a layer's depth that a run passed through; depths: of each run;
-    energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N"} of the first run; left_out,
-    warnings: lists of sentences; result: everything, as a dict.
+    energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N", "energy_..."} of the first run, in
+    plane strain with "force_N_per_m"; left_out, warnings: lists of sentences; result: percal impact's result.json, as a dict.
     """
 
-    def __init__(self, result, history):
+    def __init__(self, result):
         self.result = result
         self.outcome = result["outcome"]
         self.depth = result["depth_m"]
@@ -92,8 +91,8 @@ class Impact:
         self.energy = result["energy"]
         self.mu = result["mu_true_Pa"]
         self.left_out = [f"{one['what']}: {one['why']}" for one in result["left_out"]]
-        self.warnings = result["warnings"]
-        self.history = history
+        self.warnings = result["findings"]
+        self.history = _columns(result["history"])
 
     def __repr__(self):
         text = self.outcome
@@ -106,12 +105,10 @@ class Impact:
         return f"Impact({text})"
 
 
-def _columns(csv):
-    if not csv:
-        return {}
-    names, _, rows = csv.partition("\n")
-    values = np.loadtxt(io.StringIO(rows), delimiter=",", ndmin=2).reshape(-1, names.count(",") + 1)
-    return dict(zip(names.split(","), values.T))
+def _columns(history):
+    energy = {f"energy_{term}": shares for term, shares in history["energy"].items()} if history else {}
+    columns = {key: values for key, values in (history or {}).items() if key != "energy"} | energy
+    return {key: np.array(values, dtype=float) for key, values in columns.items()}
 
 
 def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=None, history=True):
@@ -124,5 +121,4 @@ def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=No
     if not isinstance(scene, Scene):
         scene = Scene.from_dict(scene) if isinstance(scene, dict) else Scene.read(scene)
     path = None if store is None else os.fspath(store)
-    result, csv = _core.impact(scene._core, elements_per_radius, replicates, threads, path, history)
-    return Impact(json.loads(result), _columns(csv))
+    return Impact(json.loads(_core.impact(scene._core, elements_per_radius, replicates, threads, path, history)))

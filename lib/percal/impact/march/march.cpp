@@ -314,7 +314,7 @@ class March {
     energy.eroded = eroded_energy_;
     energy.contact = far_contact_.spring_energy + near_contact_.spring_energy;
     energy.contact_dropped = dropped_energy_;
-    for (const auto& [key, share] : energy_terms) energy.*share /= impact_energy_;
+    for (const auto& [key, share, words] : energy_terms) energy.*share /= impact_energy_;
     return energy;
   }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "percal/observe/page/parts.hpp"
+#include "percal/observe/page/over_time.hpp"
 #include "percal/observe/page/scene_words.hpp"
 #include "percal/page/numbers.hpp"
 
@@ -26,18 +26,17 @@ std::string title_of(const Json& result) {
 }
 
 std::string summary_of(const Json& result) {
-  const std::size_t runs = list(result, "runs").size();
-  if (at(result, "outcome").is_null()) return "Not run: " + text(at(result, "accuracy"), "why_not");
+  if (at(result, "outcome").is_null()) return "Not run. " + text(at(result, "accuracy"), "why_not");
   if (const auto depth = number(result, "depth_m")) {
     std::string summary = fmt::format("Depth {}", length(depth));
     if (number(result, "depth_standard_error_m"))
-      summary += fmt::format(", standard error {} (a single run scatters by {}, {} runs)",
-                             length(number(result, "depth_standard_error_m"), 2),
-                             length(number(result, "depth_spread_m"), 2), runs);
+      summary += fmt::format(
+          ", standard error {} (a single run scatters by {}, {})", length(number(result, "depth_standard_error_m"), 3),
+          length(number(result, "depth_spread_m"), 3), counted(static_cast<long>(list(result, "runs").size()), "run"));
     return summary + "; the particle stopped in every run.";
   }
   if (number(result, "depth_at_least_m"))
-    return fmt::format("The particle passed through the layer: deeper than {}.",
+    return fmt::format("The particle passed through the target: deeper than {}.",
                        length(number(result, "depth_at_least_m")));
   return "The run ended as: " + text(result, "outcome") + ". There is no depth.";
 }
@@ -65,22 +64,12 @@ Section asked_section(const Json& result) {
   add_scene_rows(particle, toml, "particle", "");
   add(section, particle);
   Table target{.caption = "The target", .rows = {{"", ""}}, .notes = {}};
-  const auto row = [&](const char* what, const std::string& value) {
-    if (!value.empty() && value != "-") target.rows.push_back({what, value});
-  };
-  row("mu, true", pressure(number(result, "mu_true_Pa")));
-  row("2 mu/alpha", pressure(mu1_of(result)));
-  row("the scene gives", text(result, "convention") == "mu/alpha" ? "2 mu/alpha" : "mu, true");
-  row("bulk modulus K", pressure(number(result, "bulk_modulus_Pa")) +
-                            (yes(result, "bulk_was_chosen") ? ", chosen by the program" : ", given"));
-  row("Mach number", shown(number(result, "mach"), 3));
   add_scene_rows(target, toml, "target", "");
   add_scene_rows(target, toml, "target.erosion", "erosion ");
-  if (scene_values(toml, "target.erosion").empty()) row("erosion", "none");
+  if (scene_values(toml, "target.erosion").empty()) target.rows.push_back({"erosion", "none"});
   target.notes = {
       "mu true is the small-strain shear modulus of W = (2 mu/alpha^2) (sum lambda^alpha - 3); 2 mu/alpha is the "
-      "number "
-      "that LS-DYNA and others call MU1 or mu."};
+      "number that LS-DYNA and others call MU1 or mu."};
   add(section, target);
   Table mesh{.caption = "Mesh and solver", .rows = {{"", ""}}, .notes = {}};
   add_scene_rows(mesh, toml, "mesh", "");
@@ -91,16 +80,16 @@ Section asked_section(const Json& result) {
 
 Table runs_table(const Json& result) {
   Table table{
-      .caption = "The runs",
-      .rows = {{"speed factor", "outcome", "depth", "steps", "eroded", "smallest J", "smallest step", "energy error",
-                "CPU time", "from the store"}},
+      .caption = "",
+      .rows = {{"speed", "outcome", "depth", "steps", "eroded", "J", "step", "energy", "CPU, s", "stored"}},
       .notes = {"Replicates differ by a part in a thousand of the speed: what they differ by beyond that is the "
-                "scatter of erosion. The smallest step is over the first."}};
+                "scatter of erosion. J and step: the smallest, the step over the first. Energy: the sum of its terms "
+                "less 1. Stored: taken from the store."}};
   for (const Json& run : list(result, "runs"))
     table.rows.push_back({shown(number(run, "speed_factor"), 6), text(run, "outcome"), length(number(run, "depth_m")),
                           shown(number(run, "steps"), 9), shown(number(run, "eroded"), 9),
                           shown(number(run, "smallest_jacobian"), 3), shown(number(run, "smallest_step_over_first"), 3),
-                          percent(number(run, "energy_closure"), 3), shown(number(run, "cpu_s"), 3) + " s",
+                          percent(number(run, "energy_closure"), 2), shown(number(run, "cpu_s"), 3),
                           yes(run, "reused") ? "yes" : "no"});
   return table;
 }
@@ -139,44 +128,70 @@ Figure scatter_figure(const Json& result) {
   return figure;
 }
 
-void add_accuracy(Section& section, const Json& result) {
+// Where the error comes from, and what to do about the part that these runs do not show.
+std::string error_words(const Json& result) {
   const Json& accuracy = at(result, "accuracy");
-  if (!accuracy.is_object()) {
-    add_sentence(
-        section,
-        "Where the error comes from: the standard error above is the noise of erosion alone. The error of the mesh "
-        "is not in it and is not known from these runs; `percal study SCENE --error-vs-time` measures it, and "
-        "`percal impact SCENE --accuracy 2%` chooses mesh and replicates by it.");
-    return;
-  }
-  Table table{.caption = "Where the error comes from, by the scene's study", .rows = {{"", ""}}, .notes = {}};
-  table.rows.push_back({"asked for", percent(number(accuracy, "target_error"))});
-  table.rows.push_back({"mesh", percent(number(accuracy, "discretisation_error"))});
-  table.rows.push_back({"noise of erosion", percent(number(accuracy, "noise_error"))});
-  table.rows.push_back({"both", percent(number(accuracy, "error"))});
-  table.rows.push_back({"elements per radius", shown(number(accuracy, "elements_per_radius"))});
-  table.rows.push_back({"replicates", shown(number(accuracy, "replicates"))});
-  if (yes(accuracy, "cost_estimated")) table.notes.push_back("Extrapolated: no mesh of the study reaches this error.");
-  if (const std::string why = text(accuracy, "why_not"); !why.empty()) table.notes.push_back(why);
-  section.blocks.push_back(table);
+  if (list(result, "runs").empty()) return "";
+  if (accuracy.is_null())
+    return "The standard error is the noise of erosion alone; the error of the mesh is not in it. `percal study SCENE "
+           "--error-vs-time` measures it, `percal impact SCENE --accuracy 2%` chooses mesh and replicates by it.";
+  return fmt::format("Estimated error of the depth {} (mesh {}, noise of erosion {}), from the scene's study{}.",
+                     rough_percent(number(accuracy, "error")), rough_percent(number(accuracy, "discretisation_error")),
+                     rough_percent(number(accuracy, "noise_error")),
+                     yes(accuracy, "cost_estimated") ? ", by extrapolation beyond its meshes" : "");
+}
+
+std::string with_words(const std::string& value, const std::string& words) {
+  return value == absent ? absent : value + ", " + words;
 }
 
 Section result_section(const Json& result) {
-  Section section{.id = "result", .title = "What came out", .blocks = {}};
-  Table table{.caption = "Penetration", .rows = {{"", ""}}, .notes = {}};
+  Section section{.id = "result", .title = "What it rests on", .blocks = {}, .detail = Detail::answer};
+  Table table{.caption = "", .rows = {{"", ""}}, .notes = {}};
   const auto row = [&](const char* what, const std::string& value) {
-    if (!value.empty() && value != "-") table.rows.push_back({what, value});
+    if (!value.empty() && value != absent) table.rows.push_back({what, value});
   };
-  row("outcome", text(result, "outcome"));
-  row("depth, mean of the runs", length(number(result, "depth_m"), 5));
-  row("standard error of the mean", length(number(result, "depth_standard_error_m"), 3));
-  row("spread of a run", length(number(result, "depth_spread_m"), 3));
-  row("deeper than", length(number(result, "depth_at_least_m"), 5));
-  row("elements", shown(number(result, "elements"), 9));
-  row("steps", shown(number(result, "steps"), 9));
+  const bool as_mu1 = text(result, "convention") == "mu/alpha";
+  const auto per_radius = scene_number(toml_of(result), "mesh", "elements_per_radius");
+  row("mu, true", pressure(number(result, "mu_true_Pa")) + (as_mu1 ? "" : ", as the scene gives it"));
+  row("2 mu/alpha", pressure(mu1_of(result)) + (as_mu1 ? ", as the scene gives it" : ""));
+  row("bulk modulus K", pressure(number(result, "bulk_modulus_Pa")) +
+                            (yes(result, "bulk_was_chosen") ? ", chosen by the program" : ", given"));
+  row("Mach number", shown(number(result, "mach"), 3));
+  row("elements", with_words(shown(number(result, "elements"), 9), shown(per_radius) + " per radius"));
+  if (const Json& fields = at(result, "fields"); !fields.is_null())
+    row("fields of the first run",
+        text(fields, "list") + ", " + counted(static_cast<long>(number_or(fields, "frames", 0)), "frame"));
+  row("picture of the first run", text(result, "picture"));
   add(section, table);
-  add_accuracy(section, result);
-  if (const auto warnings = texts(at(result, "warnings")); !warnings.empty()) section.blocks.push_back(List{warnings});
+  add_sentence(section, error_words(result));
+  return section;
+}
+
+Table accuracy_table(const Json& result) {
+  const Json& accuracy = at(result, "accuracy");
+  Table table{.caption = "Where the error comes from, by the scene's study", .rows = {{"", ""}}, .notes = {}};
+  if (accuracy.is_null()) return table;
+  const auto row = [&](const char* what, const std::string& value) {
+    if (value != absent) table.rows.push_back({what, value});
+  };
+  row("asked for", percent(number(accuracy, "target_error")));
+  row("mesh", percent(number(accuracy, "discretisation_error")));
+  row("noise of erosion", percent(number(accuracy, "noise_error")));
+  row("both", percent(number(accuracy, "error")));
+  row("elements per radius", shown(number(accuracy, "elements_per_radius")));
+  row("replicates", shown(number(accuracy, "replicates")));
+  row("processor time of the replicates", quantity(number(accuracy, "cpu_s"), dimension::time, 3));
+  row("the study", yes(accuracy, "study_was_kept")
+                       ? "kept in the store"
+                       : "run for this, " + quantity(number(accuracy, "study_cpu_s"), dimension::time, 3));
+  if (yes(accuracy, "cost_estimated")) table.notes.push_back("Extrapolated: no mesh of the study reaches this error.");
+  return table;
+}
+
+Section runs_section(const Json& result) {
+  Section section{.id = "runs", .title = "The runs", .blocks = {}};
+  add(section, accuracy_table(result));
   add(section, scatter_figure(result));
   add(section, runs_table(result));
   return section;
@@ -188,8 +203,8 @@ page::Page impact_page(const page::Json& result) {
   Page page;
   page.title = title_of(result);
   page.summary = summary_of(result);
-  for (auto section : {asked_section, result_section, history_section, energy_section, left_out_section,
-                       provenance_section, input_section})
+  for (auto section : {result_section, findings_section, asked_section, runs_section, impact_history_section,
+                       impact_energy_section, left_out_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }

@@ -1,9 +1,7 @@
 // The job of percal scale: two systems, each given by its numbers or by a scene, and the scene to write.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "percal/scaling/similar.hpp"
 #include "percal/scaling/system_toml.hpp"
@@ -31,8 +29,7 @@ ScaleJob parse_scale_job(const std::string& text, const std::string& name);
 // Throws BadInput where a similar scene is asked for and the job's prototype is none.
 void check_output_scene(const ScaleJob& job);
 
-// As it stands in result.json: both systems, the ten groups, what followed, what stands in the way of similarity.
-nlohmann::json scale_to_json(const ScaleJob& job, const Completion& completion,
-                             const std::vector<Comparison>& comparisons);
+// The job's prototype made similar with its completed model, as the text of a scene. Throws BadInput where the two are not similar.
+std::string similar_scene_text(const ScaleJob& job, const Completion& completion);
 
 }  // namespace percal

@@ -1,6 +1,10 @@
-#include "percal/problem/scale_job.hpp"
+#include "percal/scaling/scale_job.hpp"
 
-#include "percal/problem/similar_scene.hpp"
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "percal/scaling/similar_scene.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/text/toml.hpp"
@@ -53,6 +57,17 @@ void check_output_scene(const ScaleJob& job) {
   if (job.model.system.erosion_strain && !job.prototype.system.erosion_strain)
     throw BadInput({job.file, 0, "model.erosion_strain"},
                    "an erosion strain where the prototype's scene has no erosion", "none, or a prototype with erosion");
+}
+
+std::string similar_scene_text(const ScaleJob& job, const Completion& completion) {
+  require_similar(completion, job.file);
+  const std::string comment = fmt::format(
+      "{} made similar to {} ({}).\n"
+      "Written by percal scale; every group that decides the run is equal in both, so both are one dimensionless "
+      "problem.",
+      title(completion.model), title(job.prototype.system),
+      std::filesystem::path(job.prototype_scene->source).filename().string());
+  return scene_to_toml(similar_scene(*job.prototype_scene, job.prototype.system, completion.model), comment);
 }
 
 }  // namespace percal

@@ -1,19 +1,19 @@
-// An impact over time, where its history was asked for: depth, speed, force, energy.
+#include "percal/observe/page/over_time.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "percal/observe/page/parts.hpp"
+#include "percal/impact/result.hpp"
 #include "percal/page/numbers.hpp"
 
 namespace percal::page {
 namespace {
 
 constexpr const char* how_to_get_it =
-    "This result keeps no history. `percal impact SCENE --history FILE.csv --out FOLDER`, or [output] history = true "
-    "in the "
-    "scene, keeps depth, speed, force and energy over time.";
+    "This result keeps no history. `percal impact SCENE --history FILE.csv`, or [output] history = true in the scene, "
+    "keeps depth, speed, force and energy over time.";
 
 struct TimeUnit {
   const char* name;
@@ -126,9 +126,8 @@ Figure ledger_figure(const Times& times, const Json& energy) {
   double worst = 0;
   for (const double sum : height) worst = std::max(worst, std::abs(sum - 1));
   figure.caption = fmt::format(
-      "Shares of the impact energy of the first replicate, one upon the other. The stack is at 1 within {:.2g} %: that "
-      "is "
-      "the solver's own energy error.",
+      "Shares of the impact energy of the first replicate, one upon the other. The stack is at 1 within {:.2g} %: "
+      "that is the solver's own energy error.",
       100 * worst);
   figure.alt = "The terms of the energy ledger stacked over time. " + figure.caption;
   return figure;
@@ -136,19 +135,7 @@ Figure ledger_figure(const Times& times, const Json& energy) {
 
 }  // namespace
 
-const std::vector<EnergyTerm> energy_terms{{"particle", "particle, kinetic"},
-                                           {"particle_elastic", "particle, elastic"},
-                                           {"live_kinetic", "nodes with elements, kinetic"},
-                                           {"freed_mass", "freed mass, kinetic"},
-                                           {"elastic", "elastic"},
-                                           {"hourglass", "hourglass springs"},
-                                           {"viscosity", "bulk viscosity"},
-                                           {"relaxation", "relaxation"},
-                                           {"eroded", "eroded elements"},
-                                           {"contact", "contact springs"},
-                                           {"contact_dropped", "contact springs dropped at erosion"}};
-
-Section energy_section(const Json& result) {
+Section impact_energy_section(const Json& result) {
   Section section{.id = "energy", .title = "Where the energy went", .blocks = {}};
   const Json &energy = at(result, "energy"), &history = at(result, "history");
   Table table{
@@ -170,15 +157,17 @@ Section energy_section(const Json& result) {
   return section;
 }
 
-Section history_section(const Json& result) {
+Section impact_history_section(const Json& result) {
   Section section{.id = "history", .title = "Penetration over time", .blocks = {}};
   const Json& history = at(result, "history");
   if (!history.is_object()) return section;
   const Times times = times_of(history);
+  const Json& per_metre = maybe(history, "force_N_per_m");  // in plane strain
   const auto tip = numbers(at(history, "tip_m")), speed = numbers(at(history, "speed_m_s")),
-             force = numbers(at(history, "force_N"));
+             force = numbers(per_metre.is_null() ? at(history, "force_N") : per_metre);
   const ShownUnit depth_unit = length_unit(largest(tip));
   const ForceUnit newtons = force_unit(largest(force));
+  const std::string force_words = newtons.name + std::string(per_metre.is_null() ? "" : " per metre of thickness");
   add(section,
       figure_of(times, scaled(tip, depth_unit.size), "tip_over_time", "Depth of the tip over time",
                 "depth, " + depth_unit.name, fmt::format("First replicate; deepest {}.", length(largest(tip)))));
@@ -187,10 +176,10 @@ Section history_section(const Json& result) {
                                      speed.empty() ? NAN : speed.front())));
   add(section,
       figure_of(times, scaled(force, newtons.newtons), "force_over_time", "Force on the particle over time",
-                std::string("force upwards, ") + newtons.name,
+                "force upwards, " + force_words,
                 fmt::format("First replicate; at most {:.3g} {}. The peaks are single elements: they come and go with "
                             "the mesh.",
-                            largest(force) / newtons.newtons, newtons.name)));
+                            largest(force) / newtons.newtons, force_words)));
   return section;
 }
 

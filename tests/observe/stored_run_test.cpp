@@ -1,4 +1,4 @@
-#include "percal/observe/result_json.hpp"
+#include "percal/observe/stored_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
 
 namespace percal {
 namespace {
@@ -61,12 +60,29 @@ TEST(Payload, ComesBackToTheLastBit) {
         &ImpactResult::turn, &ImpactResult::target_momentum, &ImpactResult::element_steps,
         &ImpactResult::smallest_jacobian, &ImpactResult::smallest_step, &ImpactResult::largest_gap})
     EXPECT_EQ(a.*number, b.*number);
-  for (const auto& [key, share] : energy_terms) EXPECT_EQ(a.energy.*share, b.energy.*share) << key;
+  for (const auto& [key, share, words] : energy_terms) EXPECT_EQ(a.energy.*share, b.energy.*share) << key;
   EXPECT_EQ(before.instruction_level, after.instruction_level);
   EXPECT_EQ(before.cpu_seconds, after.cpu_seconds);
   EXPECT_EQ(before.wall_seconds, after.wall_seconds);
   EXPECT_FALSE(before.reused);
   EXPECT_TRUE(after.reused);
+}
+
+// Stores of users live on: these keys, in this form.
+TEST(Payload, HasTheFormatOfEarlierStores) {
+  Evaluation run;
+  run.result.outcome = Outcome::stopped;
+  run.result.depth = 27.5;
+  run.result.energy.eroded = 0.75;
+  run.instruction_level = "x86_64_v3";
+  EXPECT_EQ(
+      to_payload(run),
+      R"({"cpu_s":0.0,"depth":27.5,"distorted":0,"element_steps":0.0,"elements":0,"end_speed":0.0,"end_time":0.0,)"
+      R"("energy":{"contact":0.0,"contact_dropped":0.0,"elastic":0.0,"eroded":0.75,"freed_mass":0.0,)"
+      R"("hourglass":0.0,"live_kinetic":0.0,"particle":0.0,"particle_elastic":0.0,"relaxation":0.0,"sum":0.75,)"
+      R"("viscosity":0.0},"eroded":0,"largest_gap":0.0,"level":"x86_64_v3","outcome":"stopped","reason":"",)"
+      R"("sideways":0.0,"smallest_jacobian":1.0,"smallest_step":0.0,"steps":0,"target_momentum":0.0,"turn":0.0,)"
+      R"("wall_s":0.0})");
 }
 
 TEST(Payload, EveryOutcomeAndReasonComesBack) {
@@ -106,54 +122,13 @@ TEST(Payload, WhatIsNoPayloadIsRefused) {
 TEST(EnergyJson, HasEveryTermAndTheSum) {
   const auto json = energy_to_json(awkward().result.energy);
   EXPECT_EQ(json.size(), std::size(energy_terms) + 1);
-  for (const auto& [key, share] : energy_terms) EXPECT_EQ(json.at(key), awkward().result.energy.*share) << key;
+  for (const auto& [key, share, words] : energy_terms) EXPECT_EQ(json.at(key), awkward().result.energy.*share) << key;
   double sum = 0;
   for (const auto& [key, share] : json.items())
     if (key != "sum") sum += share.get<double>();
   EXPECT_NEAR(json.at("sum"), sum, 1e-15);
   EXPECT_EQ(json.at("contact_dropped"), 1 / 31.0);
 }
-
-constexpr const char* columns =
-    "time_s,tip_m,speed_m_s,force_N,energy_particle,energy_particle_elastic,energy_live_kinetic,energy_freed_mass,"
-    "energy_elastic,energy_hourglass,energy_viscosity,energy_relaxation,energy_eroded,energy_contact,"
-    "energy_contact_dropped,energy_sum";
-
-TEST(HistoryCsv, NamesItsUnitsAndIsInSi) {
-  const std::vector<HistoryPoint> history{{0, 0, 1, 0, {.particle = 1}},
-                                          {2, 1.5, 0.5, 0.25, {.particle = 0.25, .eroded = 0.5}}};
-  const Scales scales{.radius = 1e-3, .speed = 100, .target_density = 1200};
-  std::istringstream csv(history_csv(history, scales));
-  std::string line;
-  std::getline(csv, line);
-  EXPECT_EQ(line, columns);
-  std::getline(csv, line);
-  EXPECT_EQ(line, "0,0,100,0,1,0,0,0,0,0,0,0,0,0,0,1");
-  double time, tip, speed, force;
-  char comma;
-  csv >> time >> comma >> tip >> comma >> speed >> comma >> force;
-  EXPECT_NEAR(time, 2e-5, 1e-13);
-  EXPECT_NEAR(tip, 1.5e-3, 1e-12);
-  EXPECT_NEAR(speed, 50, 1e-7);
-  EXPECT_NEAR(force, 0.25 * 2 * std::numbers::pi * 1200 * 1e4 * 1e-6, 1e-7) << "of the whole sphere, not per radian";
-  std::getline(csv, line);
-  EXPECT_EQ(line, ",0.25,0,0,0,0,0,0,0,0.5,0,0,0.75");
-}
-
-TEST(HistoryJson, HasTheColumnsOfTheCsv) {
-  const std::vector<HistoryPoint> history{{0, 0, 1, 0, {.particle = 1}},
-                                          {2, 1.5, 0.5, 0.25, {.particle = 0.25, .eroded = 0.5}}};
-  const auto json = history_to_json(history, {.radius = 1e-3, .speed = 100, .target_density = 1200});
-  EXPECT_EQ(json.at("tip_m"), (std::vector<double>{0, 1.5e-3}));
-  EXPECT_EQ(json.at("speed_m_s"), (std::vector<double>{100, 50}));
-  EXPECT_NEAR(json.at("time_s")[1], 2e-5, 1e-13);
-  EXPECT_NEAR(json.at("force_N")[1], 0.25 * 2 * std::numbers::pi * 1200 * 1e4 * 1e-6, 1e-7);
-  EXPECT_EQ(json.at("energy").size(), std::size(energy_terms) + 1);
-  EXPECT_EQ(json.at("energy").at("eroded"), (std::vector<double>{0, 0.5}));
-  EXPECT_EQ(json.at("energy").at("sum"), (std::vector<double>{1, 0.75}));
-}
-
-TEST(HistoryCsv, WithoutPointsIsOnlyTheHeader) { EXPECT_EQ(history_csv({}, {}), std::string(columns) + "\n"); }
 
 }  // namespace
 }  // namespace percal

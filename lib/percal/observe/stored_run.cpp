@@ -1,18 +1,17 @@
-#include "percal/observe/result_json.hpp"
+#include "percal/observe/stored_run.hpp"
 
-#include <fmt/format.h>
-
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <utility>
+#include <stdexcept>
+
+#include "percal/page/result.hpp"
 
 namespace percal {
 namespace {
 
+using page::finite;  // an unstable run may end with NaN
 using Json = nlohmann::json;
 
-// JSON has no NaN; an unstable run may end with one.
-Json finite(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 double number(const Json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
@@ -21,7 +20,7 @@ double number(const Json& value) {
 
 Json energy_to_json(const EnergyLedger& energy) {
   Json json;
-  for (const auto& [key, term] : energy_terms) json[key] = finite(energy.*term);
+  for (const EnergyTerm& term : energy_terms) json[term.key] = finite(energy.*term.share);
   json["sum"] = finite(energy.sum());
   return json;
 }
@@ -72,7 +71,7 @@ Evaluation from_payload(const std::string& payload) {
     r.smallest_jacobian = number(json.at("smallest_jacobian"));
     r.smallest_step = number(json.at("smallest_step"));
     r.largest_gap = number(json.at("largest_gap"));
-    for (const auto& [key, term] : energy_terms) r.energy.*term = number(json.at("energy").at(key));
+    for (const EnergyTerm& term : energy_terms) r.energy.*term.share = number(json.at("energy").at(term.key));
     evaluation.instruction_level = json.at("level").get<std::string>();
     evaluation.wall_seconds = json.at("wall_s").get<double>();
     evaluation.cpu_seconds = json.at("cpu_s").get<double>();
@@ -81,53 +80,6 @@ Evaluation from_payload(const std::string& payload) {
   }
   evaluation.reused = true;
   return evaluation;
-}
-
-namespace {
-
-// Forces inside are per radian and in units of rho_t v^2 a^2.
-struct HistoryUnits {
-  explicit HistoryUnits(const Scales& scales)
-      : time(scales.radius / scales.speed),
-        length(scales.radius),
-        speed(scales.speed),
-        force(2 * std::numbers::pi * scales.target_density * scales.speed * scales.speed * scales.radius *
-              scales.radius) {}
-  double time, length, speed, force;
-};
-
-}  // namespace
-
-std::string history_csv(const std::vector<HistoryPoint>& history, const Scales& scales) {
-  const HistoryUnits unit(scales);
-  std::string csv = "time_s,tip_m,speed_m_s,force_N";
-  for (const auto& [key, share] : energy_terms) csv += fmt::format(",energy_{}", key);
-  csv += ",energy_sum\n";
-  for (const auto& point : history) {
-    csv += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}", point.time * unit.time, point.tip * unit.length,
-                       point.speed * unit.speed, point.force * unit.force);
-    for (const auto& [key, share] : energy_terms) csv += fmt::format(",{:.9g}", point.energy.*share);
-    csv += fmt::format(",{:.9g}\n", point.energy.sum());
-  }
-  return csv;
-}
-
-Json history_to_json(const std::vector<HistoryPoint>& history, const Scales& scales) {
-  const HistoryUnits unit(scales);
-  const auto column = [&](const auto& value) {
-    Json numbers = Json::array();
-    for (const HistoryPoint& point : history) numbers.push_back(finite(value(point)));
-    return numbers;
-  };
-  Json energy = Json::object();
-  for (const auto& [key, share] : energy_terms)
-    energy[key] = column([term = share](const HistoryPoint& p) { return p.energy.*term; });
-  energy["sum"] = column([](const HistoryPoint& p) { return p.energy.sum(); });
-  return {{"time_s", column([&](const HistoryPoint& p) { return p.time * unit.time; })},
-          {"tip_m", column([&](const HistoryPoint& p) { return p.tip * unit.length; })},
-          {"speed_m_s", column([&](const HistoryPoint& p) { return p.speed * unit.speed; })},
-          {"force_N", column([&](const HistoryPoint& p) { return p.force * unit.force; })},
-          {"energy", energy}};
 }
 
 }  // namespace percal

@@ -1,4 +1,4 @@
-#include "percal/problem/similar_scene.hpp"
+#include "percal/scaling/similar_scene.hpp"
 
 #include <cmath>
 

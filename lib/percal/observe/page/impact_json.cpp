@@ -1,0 +1,104 @@
+#include "percal/observe/page/impact_json.hpp"
+
+#include "percal/observe/history.hpp"
+#include "percal/observe/stored_run.hpp"
+#include "percal/scene/scene_toml.hpp"
+
+namespace percal {
+namespace {
+
+using page::finite;
+using page::Json;
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+Json count_or_null(const std::optional<int>& count) { return count ? Json(*count) : Json(nullptr); }
+
+Json accuracy_to_json(const AdvisedAccuracy& advised) {
+  return {{"target_error", advised.target_error},
+          {"why_not", text_or_null(advised.why_not)},
+          {"cost_estimated", advised.is_extrapolated},
+          {"elements_per_radius", count_or_null(advised.elements_per_radius)},
+          {"replicates", count_or_null(advised.replicates)},
+          {"arithmetic", advised.elements_per_radius ? Json("single") : Json(nullptr)},
+          {"discretisation_error", finite(advised.discretisation_error)},
+          {"noise_error", finite(advised.noise_error)},
+          {"error", finite(advised.error)},
+          {"cpu_s", finite(advised.cpu_seconds)},
+          {"cpu_low_s", finite(advised.cpu_seconds_low)},
+          {"cpu_high_s", finite(advised.cpu_seconds_high)},
+          {"ladder",
+           {{"elements_per_radius", advised.studied_meshes},
+            {"replicates", advised.studied_replicates},
+            {"time_step_factor", advised.time_step_factor}}},
+          {"study_was_kept", advised.study_was_kept},
+          {"study_cpu_s", advised.study_cpu_seconds}};
+}
+
+Json run_to_json(const Evaluation& run, double speed_factor, double depth) {
+  const ImpactResult& r = run.result;
+  return {{"speed_factor", speed_factor},
+          {"outcome", word(r.outcome)},
+          {"reason", text_or_null(r.reason)},
+          {"depth_m", finite(depth)},
+          {"steps", r.steps},
+          {"elements", r.elements},
+          {"eroded", r.eroded},
+          {"smallest_jacobian", finite(r.smallest_jacobian)},
+          {"smallest_step_over_first", finite(r.smallest_step)},
+          {"largest_gap_over_element", finite(r.largest_gap)},
+          {"turn_rad", finite(r.turn)},
+          {"energy_closure", finite(r.energy.closure())},
+          {"cpu_s", finite(run.cpu_seconds)},
+          {"reused", run.reused}};
+}
+
+// What the runs say; of none: null.
+Json outcome_to_json(const ImpactFindings& f) {
+  const bool ran = !f.runs.empty();
+  const ImpactResult first = ran ? f.runs.front().result : ImpactResult{};
+  const auto of_a_run = [&](const auto& value) { return ran ? Json(value) : Json(nullptr); };
+  Json runs = Json::array();
+  for (std::size_t k = 0; k < f.runs.size(); ++k)
+    runs.push_back(run_to_json(f.runs[k], replicate_speed_factor(static_cast<int>(k)), f.penetration.depths[k]));
+  return {{"outcome", of_a_run(word(f.penetration.outcome))},
+          {"depth_m", finite(f.penetration.depth)},
+          {"depth_spread_m", finite(f.penetration.spread)},
+          {"depth_standard_error_m", finite(f.penetration.standard_error)},
+          {"depth_at_least_m", finite(f.penetration.at_least)},
+          {"steps", of_a_run(first.steps)},
+          {"elements", of_a_run(first.elements)},
+          {"element_steps", of_a_run(first.element_steps)},
+          {"energy", of_a_run(energy_to_json(f.penetration.energy))},
+          {"energy_worst_closure", of_a_run(finite(f.penetration.worst_closure))},
+          {"history", first.history.empty() ? Json(nullptr)
+                                            : history_to_json(first.history, f.reduction.problem, f.reduction.scales)},
+          {"runs", runs}};
+}
+
+}  // namespace
+
+Json impact_to_json(const ImpactFindings& f) {
+  Json left_out = Json::array(), sentences = f.reduction.warnings;
+  for (const LeftOut& omission : f.reduction.left_out)
+    left_out.push_back({{"what", omission.what}, {"why", omission.why}});
+  if (!f.runs.empty())
+    for (const std::string& warning : warnings(f.penetration, f.runs, f.reduction.problem))
+      sentences.push_back(warning);
+  Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
+  result.update(outcome_to_json(f));
+  result.update({{"mu_as_given_Pa", f.scene.target.mu_as_given},
+                 {"mu_true_Pa", f.reduction.mu_true},
+                 {"convention", word(f.scene.target.convention)},
+                 {"bulk_modulus_Pa", f.reduction.bulk_modulus},
+                 {"bulk_was_chosen", f.reduction.bulk_was_chosen},
+                 {"mach", f.reduction.mach},
+                 {"fields", f.fields ? Json{{"list", f.fields->list}, {"frames", f.fields->frames}} : Json(nullptr)},
+                 {"picture", text_or_null(f.picture)},
+                 {"accuracy", f.accuracy ? accuracy_to_json(*f.accuracy) : Json(nullptr)},
+                 {"left_out", left_out},
+                 {"findings", sentences},
+                 {"cost", page::cost_to_json(f.cost)}});
+  return result;
+}
+
+}  // namespace percal
