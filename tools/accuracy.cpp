@@ -8,7 +8,7 @@
 
 #include "percal/base/progress.hpp"
 #include "percal/study/kept_ladder.hpp"
-#include "percal/study/study_json.hpp"
+#include "percal/study/page/error_vs_time.hpp"
 #include "percal/units/quantity.hpp"
 #include "percal/units/words.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "percal/store/store.hpp"
-#include "percal/study/advice.hpp"
+#include "percal/study/advised_setting.hpp"
 
 namespace percal::tools {
 
