@@ -78,10 +78,11 @@ std::string bounded(const std::string& low, const std::optional<double>& high, c
 }
 
 Table worth_table(const Json& result) {
-  Table table{.caption = "What each mesh is worth, against the extrapolated depth",
-              .rows = {{"mesh", "depth", "error", "interval, %"}},
-              .notes = {"Mesh: elements per radius. With the noise of one run, or of a mean of so many. Time: of one "
-                        "run's processor."}};
+  Table table{
+      .caption = "",
+      .rows = {{"mesh", "depth", "error", "interval, %"}},
+      .notes = {"Mesh: elements per radius. Error: against the extrapolated depth; then with the noise of one run "
+                "or of a mean of so many. Time: of the processor, for one run."}};
   std::vector<std::string>& header = table.rows.front();
   for (const int count : replicate_counts) header.push_back(counted(count, "run"));
   header.emplace_back("time");

@@ -168,10 +168,12 @@ Page omissions_page(const Json& result) {
   page.title = "What the omissions are worth: " + studied_scene(result);
   const auto clear = std::count_if(omissions.begin(), omissions.end(),
                                    [](const Json& one) { return text(one, "effect") == word(Effect::clear); });
-  page.summary = fmt::format(
-      "Of {} variants {} change the depth of {} clearly. {} runs each on {} elements per radius; a run scatters by {}.",
-      omissions.size(), clear, length(number(baseline, "depth_m")), shown(number(result, "replicates")),
-      shown(number(baseline, "elements_per_radius")), percent(number(result, "spread_of_a_run"), 2));
+  page.summary = number(baseline, "depth_m") ? fmt::format("Of {} variants {} change the depth of {} clearly.",
+                                                           omissions.size(), clear, depth_or_outcome(baseline))
+                                             : fmt::format("The scene as it is ends as {}.", text(baseline, "outcome"));
+  page.summary +=
+      fmt::format(" {} runs each on {} elements per radius; a run scatters by {}.", shown(number(result, "replicates")),
+                  shown(number(baseline, "elements_per_radius")), percent(number(result, "spread_of_a_run"), 2));
   for (auto section : {conclusions_section, changes_section, audited_section, provenance_section, input_section})
     add(page, section(result));
   return page;
