@@ -1,7 +1,5 @@
 #include "percal/identify/impacts.hpp"
 
-#include <limits>
-
 namespace percal {
 
 Scene impact_scene(const IdentifyJob& job, const ParticleScene& particle, const TargetMaterial& target,
@@ -39,11 +37,6 @@ std::vector<Shooting> shoot(Campaign& campaign, const std::vector<Scene>& scenes
     shots[i].penetration = summarise(shots[i].runs, problems[i], shots[i].reduction.scales);
   }
   return shots;
-}
-
-double depth_or_layer(const Penetration& penetration) {
-  if (penetration.depth) return *penetration.depth;
-  return penetration.at_least.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace percal

@@ -28,7 +28,4 @@ struct Shooting {
 };
 std::vector<Shooting> shoot(Campaign& campaign, const std::vector<Scene>& scenes, int replicates, const char* label);
 
-// What a depth stands for where it is only known to be at least the layer's: nothing else can be said.
-double depth_or_layer(const Penetration& penetration);
-
 }  // namespace percal
