@@ -55,8 +55,8 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
                                                     .cpu_seconds = cost.cpu_seconds,
                                                     .wall_seconds = wall.count(),
                                                     .instruction_level = instruction_level()});
-  if (found.card && !folder.empty()) write_cards(*found.card, folder);
   deliver(result, folder, common);
+  if (found.card && !folder.empty()) write_cards(*found.card, folder);
   return found.complete() ? Exit::done : Exit::outcome_not_reached;
 }
 

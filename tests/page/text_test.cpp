@@ -59,8 +59,8 @@ TEST(PageAsText, ATableThatIsTooWideIsFoldedAndThenBecomesAList) {
 TEST(PageAsText, AnyColumnOfWordsIsFoldedAndColumnsOfNumbersAreNot) {
   const Table table{
       .caption = "", .rows = {{"", "depth", "remark"}, {"tungsten carbide at 120 m/s", "222.7", "far"}}, .notes = {}};
-  EXPECT_THAT(as_text(table, {.columns = 36}), HasSubstr("  tungsten carbide   222.7  far\n"
-                                                         "  at 120 m/s\n"));
+  EXPECT_THAT(as_text(table, {.columns = 36}), HasSubstr("  tungsten carbide at  222.7  far\n"
+                                                         "  120 m/s\n"));
 }
 
 TEST(PageAsText, ColoursAreThereWhereTheyAreAskedFor) {

@@ -30,9 +30,9 @@ Section law_section(const Json& result) {
   const Json& formulations = list(model, "formulations");
   const auto k = number(law, "k_Pa"), n = number(law, "n");
   if (formulations.empty() || !k || !n) return section;
-  add_sentence(section, fmt::format("Its modulus is taken from the formulation of {} in which {} goes as deep as in "
-                                    "the system that is similar to this shot.",
-                                    text(model, "material"), sphere_words(model)));
+  add_sentence(section, fmt::format("The modulus of {} is that of the formulation of {} in which {} goes as deep as in "
+                                    "the system that is similar to the calibration's shot, carried over.",
+                                    text(at(result, "skin"), "name"), text(model, "material"), sphere_words(model)));
   const ShownUnit unit = pressure_unit(largest(formulations, "mu_quasistatic_as_given_Pa"));
   Series fitted = series("measured", Mark::points, 0), others = series("not fitted", Mark::points, 1);
   double low = HUGE_VAL, high = 0, chosen = number_or(at(result, "similarity"), "formulation", nowhere), at_chosen = 0;
