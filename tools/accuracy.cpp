@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "percal/base/progress.hpp"
-#include "percal/study/advice.hpp"
 #include "percal/study/kept_ladder.hpp"
 #include "percal/units/quantity.hpp"
 #include "percal/units/words.hpp"

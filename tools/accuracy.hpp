@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "percal/observe/page/impact_json.hpp"
 #include "percal/store/store.hpp"
+#include "percal/study/advised_setting.hpp"
 
 namespace percal::tools {
 

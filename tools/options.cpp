@@ -90,7 +90,7 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
           ->needs(errors);
   auto* replicates = command->add_option("--replicates", study.replicates, "runs of each setting (default: 5)")
                          ->check(CLI::Range(3, 1000));
-  command->add_option("--markdown", study.markdown, "write tables and conclusions to this page; not of --error-vs-time")
+  command->add_option("--markdown", study.markdown, "write the whole page as Markdown to this file"); not of --error-vs-time")
       ->excludes(errors);
   extremes->excludes(scene)->excludes(meshes)->excludes(replicates);
   command->footer(

@@ -10,4 +10,4 @@
 #pragma once
 #include "percal/identify/identification.hpp"
 #include "percal/identify/job.hpp"
-#include "percal/identify/result_json.hpp"
+#include "percal/identify/page/identification_json.hpp"

@@ -5,12 +5,12 @@
 //
 // See docs/theory/errors.md, docs/formats/study.md.
 #pragma once
-#include "percal/study/advice.hpp"
+#include "percal/study/advised_setting.hpp"
 #include "percal/study/error_vs_time.hpp"
 #include "percal/study/extremes.hpp"
-#include "percal/study/extremes_json.hpp"
 #include "percal/study/kept_ladder.hpp"
 #include "percal/study/ladder.hpp"
 #include "percal/study/omissions.hpp"
-#include "percal/study/omissions_json.hpp"
-#include "percal/study/study_json.hpp"
+#include "percal/study/page/error_vs_time.hpp"
+#include "percal/study/page/extremes.hpp"
+#include "percal/study/page/omissions.hpp"

@@ -1,15 +1,22 @@
 // The page of an identification against a result made by hand.
+#include "percal/identify/page/page.hpp"
+
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
 #include "page/page_words.hpp"
+#include "percal/page/text.hpp"
 
 namespace percal {
 namespace {
 
 using nlohmann::json;
+using test::Block;
+using test::Figure;
 using test::figure_of;
+using test::Page;
+using test::Section;
 using test::section_of;
 using test::series_of;
 using test::words_of;
@@ -44,7 +51,7 @@ json shot(const Ball& ball, double target_density, bool of_model, double measure
 
 json small_result() {
   json result = json::parse(R"({
-    "schema": 1, "percal": "0.1.0", "command": "identify", "isa": "x86_64_v3", "title": "Skin from gel",
+    "schema": 2, "percal": "0.1.0", "command": "identify", "title": "Skin from gel",
     "complete": true, "input": {"job": "skin.toml", "toml": "title = \"Skin from gel\"\n"},
     "calibration": {"particle": "gold", "radius_m": 1e-6, "particle_density_kg_m3": 16800, "speed_m_s": 600,
                     "penetration_m": 26e-6, "penetration_standard_error_m": 1e-6},
@@ -63,10 +70,10 @@ json small_result() {
       {"erosion_strain": 0.3, "outcome": "found", "mu_as_given_Pa": 50e6, "mu_true_Pa": 215e6,
        "relative_error_solver": 0.03, "relative_error_data": 0.04, "dlnP_dlnmu": -0.8, "table_mu_as_given_Pa": 55e6},
       {"erosion_strain": 0.7, "outcome": "found", "mu_as_given_Pa": 15e6, "mu_true_Pa": 64.5e6,
-       "relative_error_solver": 0.03, "relative_error_data": 0.04, "dlnP_dlnmu": -0.8}],
+       "relative_error_solver": 0.03, "relative_error_data": 0.04, "dlnP_dlnmu": -0.8, "table_mu_as_given_Pa": null}],
     "similarity": {"formulation": 12, "formulation_mismatch": -0.02},
     "skin": {"name": "skin", "mu_highrate_as_given_Pa": 15e6, "mu_highrate_true_Pa": 64.5e6,
-             "mu_quasistatic_as_given_Pa": 750e3, "youngs_quasistatic_as_given_Pa": 2.25e6,
+             "mu_quasistatic_as_given_Pa": 750e3, "mu_quasistatic_true_Pa": 3.225e6, "youngs_quasistatic_as_given_Pa": 2.25e6,
              "youngs_quasistatic_true_Pa": 9.675e6, "alpha": 8.6, "erosion_strain": 0.71,
              "erosion_strain_error": 0.014, "strain_measure": "engineering", "convention": "mu/alpha"},
     "mesh_study": [{"elements_per_radius": 10, "depth_m": 25e-6, "depth_spread_m": 1e-7},
@@ -81,15 +88,16 @@ json small_result() {
                     "cases": [{"particle": "gold", "particle_density_kg_m3": 16800, "radius_m": 1e-6,
                                "speed_m_s": 600, "depth_m": 24e-6, "measured_m": 20e-6, "reference_m": 24.1e-6}]},
     "tables": [{"name": "Table 9", "note": "made up", "reference": "thesis", "mean_difference": 0.5,
-                "rows": [{"what": "slope", "unit": "cm", "reference": 2, "ours": 3, "difference": 0.5, "error": 0.25,
+                "rows": [{"what": "slope", "unit": "cm", "reference": 2, "ours": 3, "difference": 0.5, "error": 0.25, "digits": 4,
                           "remark": "far"}]}],
-    "steps": [{"name": "a step", "note": "", "reference": "measured",
-               "rows": [{"what": "depth", "unit": "um", "ours": 26.4}]}],
+    "steps": [{"name": "a step", "note": "", "reference": "measured", "mean_difference": null,
+               "rows": [{"what": "depth", "unit": "um", "reference": null, "ours": 26.4449, "difference": null, "error": null,
+                         "digits": 3, "remark": ""}]}],
     "left_out": [{"what": "gravity", "why": "nothing falls"}],
     "cards": [{"name": "skin", "density_kg_m3": 1000, "mu_true_Pa": 64.5e6, "alpha": 8.6, "bulk_modulus_Pa": 3.2e9,
              "erosion": {"strain": 0.71, "measure": "engineering"}, "comments": ["from gel"]}],
     "findings": ["gel is not skin"],
-    "cost": {"runs": 12, "reused": 3, "wall_s": 4, "cpu_s": 8,
+    "cost": {"runs": 12, "reused": 3, "wall_s": 4, "cpu_s": 8, "budget_s": null, "isa": "x86_64_v3", "advice": null,
              "mesh_study": [{"elements_per_radius": 10, "cpu_s": 2}, {"elements_per_radius": 20, "cpu_s": 14}]}
   })");
   json& shots = result["predictions"];
@@ -107,18 +115,18 @@ json small_result() {
 class IdentifyPageOfResult : public testing::Test {
  protected:
   json result = small_result();
-  Page page = identify_page(result);
+  Page whole = identify_page(result);
 };
 
-TEST_F(IdentifyPageOfResult, TheSummaryHasBothConventionsAndTheStrainWithItsError) {
-  EXPECT_EQ(page.title, "Skin from gel");
-  for (const char* words : {"15 MPa as given (mu/alpha)", "64.5 MPa true", "2.25 MPa as given", "9.68 MPa true",
-                            "0.71 \u00b1 0.014", "alpha 8.6"})
-    EXPECT_THAT(page.summary, HasSubstr(words));
+TEST_F(IdentifyPageOfResult, TheSummaryHasTheTrueModuliAndTheStrainWithItsError) {
+  EXPECT_EQ(whole.title, "Skin from gel");
+  for (const char* words : {"shear modulus 64.5 MPa at impact rate", "Young's modulus 9.68 MPa quasi-static, both true",
+                            "0.71 \u00b1 0.014 (engineering)", "alpha 8.6"})
+    EXPECT_THAT(whole.summary, HasSubstr(words));
 }
 
 TEST_F(IdentifyPageOfResult, SaysWhatWasAskedFoundLeftOutAndWhatItCost) {
-  const std::string words = words_of(page);
+  const std::string words = words_of(whole);
   for (const char* what :
        {"gold of radius 1 um at 600 m/s goes 26 um deep (standard error 1 um)",
         "shear modulus, quasi-static | 750 kPa | 3.225 MPa", "8.6 to 9.1 no worse", "skin shots | 1000 | 12.3 % | -",
@@ -130,7 +138,7 @@ TEST_F(IdentifyPageOfResult, SaysWhatWasAskedFoundLeftOutAndWhatItCost) {
 }
 
 TEST_F(IdentifyPageOfResult, TheRidgeHasTheFoundThePublishedAndTheIdentifiedPairs) {
-  const Figure* ridge = figure_of(page, "ridge");
+  const Figure* ridge = figure_of(whole, "ridge");
   ASSERT_TRUE(ridge);
   const Series *found = series_of(*ridge, "percal"), *published = series_of(*ridge, "published pairs"),
                *identified = series_of(*ridge, "identified");
@@ -142,7 +150,7 @@ TEST_F(IdentifyPageOfResult, TheRidgeHasTheFoundThePublishedAndTheIdentifiedPair
 }
 
 TEST_F(IdentifyPageOfResult, TheScanShowsTheRunsTheChosenAlphaAndTheLimit) {
-  const Figure* scan = figure_of(page, "alpha");
+  const Figure* scan = figure_of(whole, "alpha");
   ASSERT_TRUE(scan);
   EXPECT_THAT(series_of(*scan, "as run")->y, ElementsAre(DoubleNear(10, 1e-9)))
       << "28.6 and 23.4 um are 10 % from 26; the third passed through";
@@ -151,8 +159,8 @@ TEST_F(IdentifyPageOfResult, TheScanShowsTheRunsTheChosenAlphaAndTheLimit) {
 }
 
 TEST_F(IdentifyPageOfResult, DepthsStandOverTheImpactParameter) {
-  const Figure *skin = figure_of(page, "depths_1"), *gel = figure_of(page, "depths_2"),
-                   *measured = figure_of(page, "measured_2");
+  const Figure *skin = figure_of(whole, "depths_1"), *gel = figure_of(whole, "depths_2"),
+               *measured = figure_of(whole, "measured_2");
   ASSERT_TRUE(skin && gel && measured);
   EXPECT_THAT(series_of(*skin, "measured")->x, are(6.72, 10.08));
   EXPECT_THAT(series_of(*skin, "measured")->y, are(16, 24));
@@ -165,8 +173,8 @@ TEST_F(IdentifyPageOfResult, DepthsStandOverTheImpactParameter) {
 }
 
 TEST_F(IdentifyPageOfResult, TheModelsShotsAreShownInEveryScale) {
-  const Figure *energy = figure_of(page, "energy"), *radius = figure_of(page, "radius"),
-                   *density = figure_of(page, "density"), *collapse = figure_of(page, "collapse");
+  const Figure *energy = figure_of(whole, "energy"), *radius = figure_of(whole, "radius"),
+               *density = figure_of(whole, "density"), *collapse = figure_of(whole, "collapse");
   ASSERT_TRUE(energy && radius && density && collapse);
   EXPECT_THAT(series_of(*energy, "steel of 2 mm")->x, are(18, 50)) << "1000 v^2 / 200 kPa";
   EXPECT_THAT(series_of(*energy, "steel of 2 mm")->y, are(24, 40));
@@ -177,9 +185,9 @@ TEST_F(IdentifyPageOfResult, TheModelsShotsAreShownInEveryScale) {
 }
 
 TEST_F(IdentifyPageOfResult, MeshShapesLawAndScaledLineHaveFigures) {
-  const Figure *mesh = figure_of(page, "mesh"), *cost = figure_of(page, "mesh_cost"),
-                   *shape = figure_of(page, "shape_1"), *scaled = figure_of(page, "scaled"),
-                   *law = figure_of(page, "law");
+  const Figure *mesh = figure_of(whole, "mesh"), *cost = figure_of(whole, "mesh_cost"),
+               *shape = figure_of(whole, "shape_1"), *scaled = figure_of(whole, "scaled"),
+               *law = figure_of(whole, "law");
   ASSERT_TRUE(mesh && cost && shape && scaled && law);
   EXPECT_THAT(series_of(*mesh, "percal")->y, are(25, 26));
   EXPECT_THAT(cost->chart.series.front().x, are(2, 14));
@@ -191,7 +199,7 @@ TEST_F(IdentifyPageOfResult, MeshShapesLawAndScaledLineHaveFigures) {
 
 TEST_F(IdentifyPageOfResult, EveryFigureHasACaptionAndAnAltText) {
   int figures = 0;
-  for (const Section& section : page.sections)
+  for (const Section& section : whole.sections)
     for (const Block& block : section.blocks)
       if (const auto* figure = std::get_if<Figure>(&block)) {
         ++figures;
@@ -213,10 +221,22 @@ TEST_F(IdentifyPageOfResult, AnUnfinishedChainIsSaidToBeOne) {
   EXPECT_FALSE(section_of(unfinished, "mesh"));
 }
 
-TEST_F(IdentifyPageOfResult, WhatAResultLacksIsLeftOut) {
-  const Page bare = identify_page({{"command", "identify"}, {"schema", 1}});
-  EXPECT_FALSE(bare.summary.empty());
-  EXPECT_FALSE(figure_of(bare, "ridge"));
+TEST_F(IdentifyPageOfResult, TheAnswerIsTheModuliTheRidgeAndTheFindings) {
+  const std::string answer = page::as_text(whole, {.columns = 80});
+  for (const char* there :
+       {"shear modulus at impact rate", "0.3          50 MPa   215 MPa", "gel is not skin", "percal card write"})
+    EXPECT_THAT(answer, HasSubstr(there));
+  for (const char* not_there : {"Table 9", "gravity", "a step"}) EXPECT_THAT(answer, Not(HasSubstr(not_there)));
+}
+
+TEST_F(IdentifyPageOfResult, AMissingKeyIsRefusedByName) {
+  result["skin"].erase("erosion_strain_error");
+  try {
+    identify_page(result);
+    ADD_FAILURE();
+  } catch (const page::MissingKey& missing) {
+    EXPECT_EQ(missing.key, "erosion_strain_error");
+  }
 }
 
 }  // namespace

@@ -48,12 +48,19 @@ TEST(PageAsText, SentencesAreFoldedAtTheColumns) {
   EXPECT_EQ(as_text(section, {}), "A\n  note: one two three four five six seven eight nine\n\n");
 }
 
-TEST(PageAsText, ATableThatIsTooWideFoldsItsLastColumnAndThenBecomesAList) {
+TEST(PageAsText, ATableThatIsTooWideIsFoldedAndThenBecomesAList) {
   const Table table{.caption = "",
                     .rows = {{"", "value", "remark"}, {"modulus", "3.4 MPa", "a remark of several words, all of them"}},
                     .notes = {}};
   EXPECT_THAT(as_text(table, {.columns = 44}), HasSubstr("  modulus  3.4 MPa  a remark of several\n"));
   EXPECT_THAT(as_text(table, {.columns = 20}), HasSubstr("  modulus\n    value: 3.4 MPa\n    remark: a remark"));
+}
+
+TEST(PageAsText, AnyColumnOfWordsIsFoldedAndColumnsOfNumbersAreNot) {
+  const Table table{
+      .caption = "", .rows = {{"", "depth", "remark"}, {"tungsten carbide at 120 m/s", "222.7", "far"}}, .notes = {}};
+  EXPECT_THAT(as_text(table, {.columns = 36}), HasSubstr("  tungsten carbide at  222.7  far\n"
+                                                         "  120 m/s\n"));
 }
 
 TEST(PageAsText, ColoursAreThereWhereTheyAreAskedFor) {

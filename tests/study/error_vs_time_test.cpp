@@ -8,54 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "percal/study/advice.hpp"
-#include "percal/study/error_plot.hpp"
-#include "percal/study/study_json.hpp"
+#include "percal/study/page/error_vs_time.hpp"
+#include "study/made_ladder.hpp"
 
 namespace percal {
 namespace {
 
+using study_test::ladder_of;
+using study_test::pass_through;
+using study_test::rung_at;
 using testing::HasSubstr;
-
-Rung rung_at(int mesh, double depth, double spread, int replicates = 5) {
-  Rung rung;
-  rung.elements_per_radius = mesh;
-  rung.time_step_factor = 0.8;
-  rung.replicates = replicates;
-  rung.elements = 112L * mesh * mesh;
-  rung.steps = 800.0 * mesh;
-  rung.cpu_seconds = 1e-3 * mesh * mesh * mesh;
-  auto& p = rung.penetration;
-  p.outcome = Outcome::stopped;
-  p.outcomes.assign(replicates, Outcome::stopped);
-  p.depth = depth;
-  p.spread = spread;
-  p.standard_error = spread / std::sqrt(replicates);
-  return rung;
-}
-
-// 27 (1 + a h^p) on 5 to 28 elements per radius, a run scattering by `noise` of it; the means are exact.
-Ladder ladder_of(double a, double p, double noise) {
-  Ladder ladder;
-  ladder.options.time_step_factor = 0.8;
-  for (const int mesh : ladder.options.meshes) {
-    const double depth = 27 * (1 + a * std::pow(mesh, -p));
-    ladder.meshes.push_back(rung_at(mesh, depth, noise * depth));
-  }
-  ladder.half_steps = {ladder.meshes[1], ladder.meshes[3]};
-  for (Rung& half : ladder.half_steps) half.time_step_factor = 0.4;
-  ladder.double_precision = ladder.meshes[1];
-  ladder.double_precision.arithmetic = Arithmetic::double_precision;
-  return ladder;
-}
-
-void pass_through(Rung& rung) {
-  auto& p = rung.penetration;
-  p.outcome = Outcome::passed_through;
-  p.outcomes.assign(rung.replicates, Outcome::passed_through);
-  p.depth = p.spread = p.standard_error = std::nullopt;
-  p.at_least = 75;
-}
 
 TEST(ErrorVsTime, FindsTheLimitAndTheErrorOfEveryMesh) {
   const Ladder ladder = ladder_of(1, 1, 1e-4);
@@ -126,10 +88,11 @@ TEST(ErrorVsTime, WithoutFourMeshesThatStoppedThereIsAnAccountAndNoNumber) {
   const AdvisedSetting advice = advise(ladder, study, 0.02);
   EXPECT_FALSE(advice.is_found);
   EXPECT_THAT(advice.why_not, HasSubstr("no depth to extrapolate to"));
-  const auto json = error_vs_time_to_json(ladder, study, {advice});
-  EXPECT_EQ(json["convergence"], (nlohmann::json{{"outcome", "too few grids"}}));
+  const auto json = error_vs_time_to_json({}, ladder, study, {advice}, {});
+  EXPECT_EQ(json["convergence"]["outcome"], "too few grids");
+  EXPECT_TRUE(json["convergence"]["extrapolated_depth_m"].is_null());
   EXPECT_TRUE(json["meshes"][2]["depth_m"].is_null());
-  EXPECT_FALSE(json["meshes"][5].contains("error"));
+  EXPECT_TRUE(json["meshes"][5]["error"].is_null());
   EXPECT_TRUE(json["advice"][0]["elements_per_radius"].is_null());
 }
 
@@ -192,18 +155,10 @@ TEST(Advice, ThereIsNoneWhereDepthsScatterFromMeshToMesh) {
 TEST(ErrorCsv, HasALineForEveryRungAndAllOfTheSameLength) {
   Ladder ladder = ladder_of(1, 1, 0.01);
   pass_through(ladder.meshes[0]);
-  std::istringstream lines(error_vs_time_csv(ladder, error_vs_time(ladder)));
+  std::istringstream lines(error_vs_time_csv(study_test::result_of(ladder)));
   int rows = -1;
   for (std::string line; std::getline(lines, line); ++rows) EXPECT_EQ(std::ranges::count(line, ','), 26) << line;
   EXPECT_EQ(rows, 9);
-}
-
-TEST(ErrorPlot, QuotesATitleThatGnuplotWouldRun) {
-  const Ladder ladder = ladder_of(1, 1, 0.01);
-  const auto script = error_plot_script(ladder, error_vs_time(ladder), "it's\n!rm {/=40 x}");
-  EXPECT_THAT(script, HasSubstr("set title 'it''s!rm {/=40 x}' noenhanced"));
-  EXPECT_THAT(script, testing::Not(HasSubstr("nan")));
-  EXPECT_LT(script.size(), 20000u);
 }
 
 }  // namespace

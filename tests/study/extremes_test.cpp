@@ -10,7 +10,7 @@
 
 #include "percal/campaign/campaign.hpp"
 #include "percal/impact/march/march.hpp"
-#include "percal/study/extremes_json.hpp"
+#include "percal/study/page/extremes.hpp"
 
 namespace percal {
 namespace {
@@ -172,11 +172,11 @@ TEST(Extremes, TroubleIsSeenInJsonAndPage) {
   });
   EXPECT_TRUE(has_troubles(results));
   EXPECT_FALSE(has_troubles({results[0]}));
-  const auto json = extremes_to_json(results);
+  const auto json = extremes_to_json(results, {});
   EXPECT_THAT(json["cells"][0]["troubles"], IsEmpty());
   EXPECT_EQ(json["cells"][1]["troubles"][0], "the energy is +30.0 % off");
   EXPECT_EQ(json["summary"]["cells_with_troubles"], 1);
-  EXPECT_THAT(extremes_markdown(results), HasSubstr("**the energy is +30.0 % off**"));
+  EXPECT_THAT(extremes_csv(json), HasSubstr("the energy is +30.0 % off"));
 }
 
 TEST(Extremes, AnUnstableRunWithoutNumbersGivesNoNanInTheOutput) {
@@ -187,11 +187,12 @@ TEST(Extremes, AnUnstableRunWithoutNumbersGivesNoNanInTheOutput) {
     all[0].result.depth = all[0].result.energy.elastic = nan;
     return all;
   });
-  const auto json = extremes_to_json(results);
+  const auto json = extremes_to_json(results, {});
   expect_no_nan(json, "");
   EXPECT_TRUE(json["cells"][0]["energy_closure"].is_null());
   EXPECT_EQ(json["cells"][1]["outcome"], "refused");
-  for (const std::string& text : {json.dump(), extremes_csv(results), extremes_markdown(results)})
+  EXPECT_TRUE(json["cells"][1].contains("mach") && json["cells"][1]["mach"].is_null());
+  for (const std::string& text : {json.dump(), extremes_csv(json)})
     EXPECT_EQ(text.find("nan"), std::string::npos) << text;
 }
 
@@ -213,7 +214,7 @@ TEST(SlowExtremes, EveryCellEndsAsANamedOutcomeWithoutTrouble) {
       EXPECT_FALSE(result.reason.empty()) << result.cell.what;
     }
   }
-  expect_no_nan(extremes_to_json(results), "");
+  expect_no_nan(extremes_to_json(results, {}), "");
 }
 
 }  // namespace

@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "page/page_words.hpp"
 #include "percal/mesh/graded.hpp"
 #include "percal/scene/scene_toml.hpp"
-#include "percal/study/omissions_json.hpp"
+#include "percal/study/page/omissions.hpp"
 
 namespace percal {
 namespace {
@@ -183,7 +184,7 @@ TEST(Omissions, AVariantThatDoesNotStopIsToldByItsOutcomeAndStandsBeforeAll) {
   EXPECT_EQ(first.effect, Effect::ends_otherwise);
   EXPECT_EQ(first.verdict, "ends otherwise: passed through (5 of 5 runs)");
   EXPECT_FALSE(first.change.share.has_value());
-  const auto json = omissions_to_json(audit);
+  const auto json = omissions_to_json(gold(), audit, {});
   EXPECT_TRUE(json["omissions"][0]["change"].is_null());
   EXPECT_EQ(json["omissions"][0]["effect"], "ends otherwise");
   EXPECT_THAT(audit.conclusions, Contains("changes how the particle ends: eroded nodes in contact"));
@@ -252,10 +253,11 @@ TEST(Omissions, WhatTheSceneHasIsTakenAwayInstead) {
 
 TEST(Omissions, TheTableHasALineForTheSceneAndOneForEach) {
   const Omissions audit = audit_omissions(gold(), 5, nothing_matters);
-  const std::string csv = omissions_csv(audit), page = omissions_markdown(audit);
+  const auto result = omissions_to_json(gold(), audit, {});
+  const std::string csv = omissions_csv(result), page = test::words_of(omissions_page(result));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 2 + static_cast<long>(audit.omissions.size()));
   EXPECT_THAT(csv, HasSubstr("\n\"as it is\",,stopped,"));
-  for (const auto& one : audit.omissions) EXPECT_THAT(page, HasSubstr("| " + one.variant.name + " |"));
+  for (const auto& one : audit.omissions) EXPECT_THAT(page, HasSubstr("\n" + one.variant.name));
   for (const auto& one : audit.left_out) EXPECT_THAT(page, HasSubstr(one.left_out.why));
 }
 

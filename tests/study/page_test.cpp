@@ -1,152 +1,187 @@
-// The pages of the three kinds of study, and which page a result gets.
+// The pages of the three kinds of study, of results that their own writers have made.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "percal/base/error.hpp"
 #include "page/page_words.hpp"
+#include "percal/page/text.hpp"
+#include "percal/study/page/extremes.hpp"
+#include "percal/study/page/omissions.hpp"
+#include "study/made_ladder.hpp"
 
 namespace percal {
 namespace {
 
-using nlohmann::json;
+using page::Json;
+using study_test::ladder_of;
+using study_test::pass_through;
+using study_test::result_of;
 using test::figure_of;
 using test::series_of;
 using test::words_of;
+using testing::DoubleEq;
+using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-json mesh(int n, double depth, double error, double cpu_seconds) {
-  const json band = {{"value", error}, {"low", error / 2}, {"high", nullptr}};
-  return {{"elements_per_radius", n},
-          {"time_step_factor", 0.8},
-          {"arithmetic", "single"},
-          {"outcome", "stopped"},
-          {"depth_m", depth},
-          {"depth_standard_error_m", 1e-7},
-          {"cpu_s", cpu_seconds},
-          {"error", {{"value", -error}, {"low", -0.05}, {"high", nullptr}}},
-          {"error_of_mean_of", {{"1", band}, {"3", band}, {"10", band}}}};
-}
+std::string answer_of(const page::Page& page) { return page::as_text(page, {.columns = 80}); }
 
-json error_vs_time() {
-  json result = json::parse(R"({
-    "schema": 1, "percal": "0.1.0", "command": "study", "study": "error vs time",
-    "input": {"scene": "/a/gold.toml", "toml": "[particle]\nname = \"gold\"\n[target]\nname = \"skin\"\n"},
-    "ladder": {"elements_per_radius": [10, 20], "replicates": 5, "time_step_factor": 0.8},
-    "convergence": {"outcome": "fitted", "extrapolated_depth_m": 28e-6, "extrapolated_depth_low_m": 27e-6, "extrapolated_depth_high_m": 29e-6,
-                    "fitted_from_elements_per_radius": 10, "form": "a h^2", "a_m": -1e-4, "b_m": 0.0, "order": 2.0, "observed_order": 2.2,
-                    "standard_deviation_m": 1e-7, "spread_of_a_run": 0.0138},
-    "half_steps": [], "change_by_half_the_step": [{"elements_per_radius": 10, "share": 0.012, "standard_error": 0.015, "is_significant": false, "cost_ratio": 1.96}],
-    "advice": [{"target_error": 0.02, "found": true, "elements_per_radius": 20, "replicates": 3, "discretisation_error": 0.009, "noise_error": 0.008,
-                "error": 0.012, "cpu_s": 1234.5, "cpu_low_s": 1.0, "cpu_high_s": null, "cost_estimated": false}],
-    "findings": ["the mesh is coarse"], "runs": 3, "reused": 7, "cpu_s": 1.5, "wall_s": 2.0, "isa": "x86_64_v3"})");
-  result["meshes"] = {mesh(10, 27e-6, 0.04, 0.5), mesh(20, 27.7e-6, 0.02, 4)};
-  result["double_precision"] = mesh(10, 27.1e-6, 0.04, 0.7);
-  return result;
-}
+// --- error against time -------------------------------------------------------------------------------------------
 
-TEST(ErrorVsTimePage, HasTheNumbersOfItsResult) {
-  const std::string words = words_of(study_page(error_vs_time()));
+// 27 m (1 + 0.2 h): mesh errors 4, 2.9, 2, 1.4, 1, 0.7 %; a run takes 1 ms n^3.
+Json error_result() { return result_of(ladder_of(0.2, 1, 0.02)); }
+
+TEST(ErrorVsTimePage, TheAnswerIsEachMeshAndTheCheapestSettings) {
+  const std::string answer = answer_of(study_page(error_result()));
   for (const char* there :
-       {"gold into skin (gold.toml)", "Extrapolated depth 28 um (27 um to 29 um)", "1.38 %", "20 | 3 | 0.90 % | 0.80 %",
-        "1234 s | 1 s | no bound", "half the time step | 10 | +1.20 % | 1.50 % | no", "-5.0 % to no bound",
-        "the mesh is coarse", "observed order 2.2"})
+       {"gold into skin (gold.toml)", "5, 7, 10, 14, 20, 28 elements per radius, 5 runs on each",
+        "14    27.39 m  +1.4 %", "2.74 s", "2 %      14     3            1.8 % (1.4 %, 1.2 %)", "percal impact SCENE"})
+    EXPECT_THAT(answer, HasSubstr(there));
+  EXPECT_THAT(answer, Not(HasSubstr("half the time step")));
+}
+
+TEST(ErrorVsTimePage, SaysWhatEveryRungRanAndCost) {
+  const std::string words = words_of(study_page(error_result()));
+  for (const char* there : {"7 | 5488 | 0.4 | single | stopped", "7 | 5488 | 0.8 | double | stopped",
+                            "half the time step | 7 | +0.00 %", "observed order 1", "runs done | 42", "seed | 2014"})
     EXPECT_THAT(words, HasSubstr(there));
 }
 
 TEST(ErrorVsTimePage, DrawsTheErrorOfEveryMeshAgainstTheTimeOfAllRuns) {
-  const Page page = study_page(error_vs_time());
-  const Figure* figure = figure_of(page, "error_vs_time");
+  Json result = error_result();
+  Json& ten = result["meshes"][0]["error_of_mean_of"]["10"];
+  ten = {{"value", 0.04}, {"low", 0.02}, {"high", nullptr}};
+  const page::Page page = study_page(result);
+  const test::Figure* figure = figure_of(page, "error_against_time");
   ASSERT_NE(figure, nullptr);
-  const Series* ten = series_of(*figure, "mean of 10");
-  ASSERT_NE(ten, nullptr);
-  EXPECT_THAT(ten->x, ElementsAre(5, 40));
-  EXPECT_THAT(ten->y, ElementsAre(4, 2));
-  EXPECT_THAT(ten->low, ElementsAre(2, 1));
-  EXPECT_THAT(ten->high, ElementsAre(4, 2));  // no bound: no bar
+  const Series* drawn = series_of(*figure, "mean of 10");
+  ASSERT_NE(drawn, nullptr);
+  EXPECT_THAT(drawn->x.front(), DoubleNear(1.25, 1e-9));
+  EXPECT_THAT(drawn->y.front(), DoubleEq(4));
+  EXPECT_THAT(drawn->low.front(), DoubleEq(2));
+  EXPECT_THAT(drawn->high.front(), DoubleEq(4)) << "no bound: no bar";
   EXPECT_TRUE(figure->chart.x.logarithmic && figure->chart.y.logarithmic);
 }
 
-// 28 um - 1e-4 h^2 at h = 0 and 0.1, in um.
 TEST(ErrorVsTimePage, DrawsTheMeshStudyWithItsFit) {
-  const Page page = study_page(error_vs_time());
-  const Figure* figure = figure_of(page, "mesh_study");
+  const page::Page page = study_page(error_result());
+  const test::Figure* figure = figure_of(page, "mesh_study");
   ASSERT_NE(figure, nullptr);
   const Series* fitted = series_of(*figure, "fitted");
   ASSERT_NE(fitted, nullptr);
-  EXPECT_NEAR(fitted->y.front(), 28, 1e-9);
-  EXPECT_NEAR(fitted->y.back(), 27, 1e-9);
+  EXPECT_NEAR(fitted->y.front(), 2700, 1);  // cm
+  EXPECT_NEAR(fitted->y.back(), 2808, 1);
 }
 
 TEST(ErrorVsTimePage, WithoutAFitItSaysThatNoErrorCanBeGiven) {
-  json result = error_vs_time();
-  result["convergence"] = {{"outcome", "too few grids"}};
-  EXPECT_THAT(study_page(result).summary, HasSubstr("No error can be given: too few grids"));
+  Ladder ladder = ladder_of(1, 1, 0.01);
+  for (Rung& rung : ladder.meshes) pass_through(rung);
+  const page::Page page = study_page(result_of(ladder));
+  EXPECT_THAT(page.summary, HasSubstr("No error can be given: too few grids"));
+  const std::string answer = answer_of(page);
+  EXPECT_THAT(answer, HasSubstr("passed through"));
+  EXPECT_THAT(answer, HasSubstr("None: the meshes of the ladder give no depth to extrapolate to."));
+  EXPECT_EQ(answer.find("None:"), answer.rfind("None:")) << "once for all targets";
+}
+
+// --- omissions ----------------------------------------------------------------------------------------------------
+
+AuditedOmission omission(const char* name, OmissionKind kind, std::optional<double> change, Effect effect) {
+  AuditedOmission one{};
+  one.variant = {.name = name, .kind = kind, .how = "they stay", .left_out = "", .is_illustration = false, .scene = {}};
+  one.rung = study_test::rung_at(14, 25.5e-6, 1e-7);
+  one.change = {.elements_per_radius = 14, .share = change, .standard_error = 0.01, .cost_ratio = 0.78};
+  one.effect = effect;
+  if (!change) {
+    pass_through(one.rung);
+    one.change.standard_error.reset();
+    one.verdict = "ends otherwise: passed through (5 of 5 runs)";
+  }
+  return one;
+}
+
+Json omissions_result() {
+  Omissions audit;
+  audit.baseline = study_test::rung_at(14, 27.7e-6, 4e-7);
+  audit.spread_of_a_run = 0.0146;
+  audit.left_out = {{{"rotation", "it is round"}, {}, "no friction"},
+                    {{"elastic particle", "rigid"}, {"elastic particle"}, ""}};
+  audit.omissions = {omission("bottom", OmissionKind::domain, std::nullopt, Effect::ends_otherwise),
+                     omission("eroded nodes", OmissionKind::physics, -0.08, Effect::clear)};
+  audit.skipped = {{"rate", OmissionKind::physics, "refused", ""}};
+  audit.conclusions = {"physics counts"};
+  Scene scene;
+  scene.source = "gold.toml";
+  return omissions_to_json(scene, audit, {});
+}
+
+TEST(OmissionsPage, TheAnswerIsWhatCounts) {
+  const std::string answer = answer_of(study_page(omissions_result()));
+  EXPECT_THAT(answer, HasSubstr("Of 2 variants 1 change the depth of 27.7 um clearly."));
+  EXPECT_THAT(answer, HasSubstr("physics counts"));
+  EXPECT_THAT(answer, Not(HasSubstr("eroded nodes")));
 }
 
 TEST(OmissionsPage, HasEveryVariantAndEveryOmission) {
-  const json result = json::parse(R"({
-    "schema": 1, "command": "study", "study": "omissions", "replicates": 5, "spread_of_a_run": 0.0146,
-    "input": {"scene": "gold.toml", "toml": ""}, "baseline": {"depth_m": 27.7e-6, "depth_spread_m": 4e-7},
-    "left_out": [{"what": "rotation", "why": "it is round", "audited_by": [], "why_not_audited": "no friction"},
-                 {"what": "elastic particle", "why": "rigid", "audited_by": ["elastic particle"], "why_not_audited": ""}],
-    "omissions": [{"name": "eroded nodes", "kind": "physics", "depth_m": 25.5e-6, "change": -0.08, "change_standard_error": 0.01, "effect": "clear",
-                   "cost_ratio": 0.78, "how": "they stay"},
-                  {"name": "bottom", "kind": "domain", "depth_m": null, "outcome": "passed through", "change": null, "effect": "ends otherwise"}],
-    "skipped": [{"name": "rate", "kind": "physics", "why": "refused"}], "conclusions": ["physics counts"]})");
-  const Page page = study_page(result);
+  const page::Page page = study_page(omissions_result());
   const std::string words = words_of(page);
-  for (const char* there : {"eroded nodes | 1 | physics | 25.5 um | - | -8.0 % | 1.0 % | clear | 0.78 | they stay",
-                            "bottom | 2 | domain | passed through", "rotation | it is round | not: no friction",
-                            "elastic particle | rigid | elastic particle", "Not run: rate: refused", "physics counts"})
+  for (const char* there :
+       {"eroded nodes | 2 | physics | 25.5 um | 100 nm | -8.0 % | 1.0 % | clear | 0.78",
+        "bottom | 1 | domain | passed through | - | - | - | ends otherwise: passed through (5 of 5",
+        "the scene as it is | - | - | 27.7 um | 400 nm", "rotation | it is round | not: no friction",
+        "elastic particle | rigid | elastic particle", "Not run: rate: refused"})
     EXPECT_THAT(words, HasSubstr(there));
-  EXPECT_THAT(series_of(*figure_of(page, "changes"), "clear")->low, ElementsAre(testing::DoubleEq(-10)));
+  EXPECT_THAT(series_of(*figure_of(page, "changes"), "clear")->low, ElementsAre(DoubleEq(-10)));
 }
 
-TEST(ExtremesPage, HasEveryCellAndItsTroubles) {
-  const json result = json::parse(R"({
-    "schema": 1, "command": "study", "study": "extremes", "outcomes": {"stopped": 1, "refused": 1},
-    "summary": {"worst_closure": 0.011, "smallest_jacobian": 0.0064, "smallest_step": 0.0001, "cells_with_troubles": 1},
-    "cells": [{"group": "alpha", "cell": "alpha -20", "outcome": "stopped", "reason": "", "troubles": ["too deep"], "energy_closure": -0.011, "tip_over_radius": 2.187},
-              {"group": "nu", "cell": "nu 0.5", "outcome": "refused", "reason": "nu is too large", "troubles": []}]})");
-  const Page page = study_page(result);
-  const std::string words = words_of(page);
-  for (const char* there : {"refused | 1", "alpha, alpha -20: too deep",
-                            "alpha -20 | 1 | alpha | stopped | 2.187 | -1.100 %", "nu is too large", "1.10 %"})
-    EXPECT_THAT(words, HasSubstr(there));
-  EXPECT_THAT(series_of(*figure_of(page, "energy_errors"), "stopped")->y, ElementsAre(testing::DoubleEq(1.1)));
+// --- extremes -----------------------------------------------------------------------------------------------------
+
+Json extremes_result() {
+  RunCell run{};
+  run.reduction.problem.elements_per_radius = 7;
+  run.evaluation.result.outcome = Outcome::stopped;
+  run.evaluation.result.depth = 2.187;
+  run.evaluation.result.energy.particle = 0.989;
+  run.evaluation.result.largest_gap = 2.1;
+  run.same_problem_as = "alpha 9";
+  return extremes_to_json({{.cell = {"alpha", "alpha -20", {}}, .run = run, .reason = "", .troubles = {"too deep"}},
+                           {.cell = {"refused", "nu 0.5", {}}, .run = {}, .reason = "nu is too large", .troubles = {}}},
+                          {});
 }
 
-// --- which page -------------------------------------------------------------------------------------------------
+TEST(ExtremesPage, TheAnswerIsTheOutcomesTheWorstAndTheTroubles) {
+  const std::string answer = answer_of(study_page(extremes_result()));
+  for (const char* there : {"2 cells, 1 with troubles", "stopped      1", "1.100 %",
+                            "contact springs too soft, cells   1", "warning: alpha, alpha -20: too deep"})
+    EXPECT_THAT(answer, HasSubstr(there));
+  EXPECT_THAT(answer, Not(HasSubstr("nu 0.5")));
+}
 
-std::string refusal(const json& result) {
-  try {
-    page_of_result(result, "x.json");
-  } catch (const BadInput& fault) {
-    return fault.what();
+TEST(ExtremesPage, HasEveryCell) {
+  const page::Page page = study_page(extremes_result());
+  const std::string words = words_of(page);
+  for (const char* there : {"Alpha", "alpha -20 | 1 | stopped | 2.187 | -1.100 %", "0.3 | ",
+                            "too deep; the same problem as alpha 9; contact springs too soft",
+                            "nu 0.5 | 2 | refused | - | - | - | - | - | - | - | - | - | nu is too large"})
+    EXPECT_THAT(words, HasSubstr(there));
+  EXPECT_THAT(series_of(*figure_of(page, "energy_errors"), "stopped")->y, ElementsAre(DoubleEq(1.1)));
+}
+
+// --- what is missing ----------------------------------------------------------------------------------------------
+
+TEST(StudyPage, AMissingKeyIsRefusedByName) {
+  for (const auto& [result, key] :
+       {std::pair{error_result(), "half_steps"}, {omissions_result(), "baseline"}, {extremes_result(), "summary"}}) {
+    Json cut = result;
+    cut.erase(key);
+    try {
+      study_page(cut);
+      ADD_FAILURE() << key;
+    } catch (const page::MissingKey& missing) {
+      EXPECT_EQ(missing.key, key);
+    }
   }
-  return "none";
-}
-
-TEST(PageOfResult, WhatIsNoResultIsRefusedWithWhatIsAccepted) {
-  EXPECT_THAT(refusal(json::array()), HasSubstr("x.json"));
-  EXPECT_THAT(refusal(json::object()), testing::AllOf(HasSubstr("schema: found nothing"), HasSubstr("accepted: 1")));
-  EXPECT_THAT(refusal({{"schema", 99}, {"command", "fit"}}), HasSubstr("found 99"));
-  EXPECT_THAT(refusal({{"schema", 1}, {"command", "cook"}}),
-              testing::AllOf(HasSubstr("command: found \"cook\""),
-                             HasSubstr("fit, scale, impact, study, identify, calibrate")));
-  EXPECT_THAT(refusal({{"schema", 1}, {"command", "study"}, {"study", "x"}}),
-              testing::AllOf(HasSubstr("x.json: study"), HasSubstr("omissions")));
-}
-
-// A result cut down to its head gives a page, if an empty one.
-TEST(PageOfResult, AnEmptyResultOfEveryCommandHasAPage) {
-  for (const char* command : {"fit", "scale", "impact", "identify", "calibrate"})
-    EXPECT_NE(page_of_result({{"schema", 1}, {"command", command}}, "x.json").title, "") << command;
-  for (const char* study : {"error vs time", "omissions", "extremes"})
-    EXPECT_NE(page_of_result({{"schema", 1}, {"command", "study"}, {"study", study}}, "x.json").title, "") << study;
 }
 
 }  // namespace

@@ -33,24 +33,37 @@ class Study : public test::Program {
 };
 
 TEST_F(Study, PrintsTheTableAndWritesJsonCsvAndPlot) {
-  const Ended ended = study({scene()});
+  const std::string file = scene();
+  const Ended ended = study({file, "--markdown", "page.md"});
   ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(read("page.md"), HasSubstr("](dent.out/error_against_time.svg)"));
   EXPECT_THAT(ended.err, IsEmpty());
-  EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("extrapolated depth"), HasSubstr("cheapest setting for an error of"),
-                    HasSubstr("double precision at 4 elements per radius: depth"), HasSubstr("half the time step")));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("Extrapolated depth"), HasSubstr("The cheapest setting for an error"),
+                               testing::Not(HasSubstr("element-steps"))));
   const json found = result("dent.out/result.json");
   EXPECT_EQ(found["study"], "error vs time");
   EXPECT_EQ(found["meshes"].size(), 4u);
   EXPECT_EQ(found["half_steps"].size(), 2u);
   EXPECT_EQ(found["advice"].size(), 3u);
-  EXPECT_EQ(found["runs"], 21);
+  EXPECT_EQ(found["cost"]["runs"], 21);
   EXPECT_THAT(read("dent.out/error_vs_time.csv"), HasSubstr("error_of_mean_of_3_high"));
-  const bool has_plot = files("dent.out").contains("dent.out/error_vs_time.svg");
-  EXPECT_NE(has_plot, ended.out.find("the plot was not drawn") != std::string::npos);
+  EXPECT_THAT(read("dent.out/error_against_time.csv"), HasSubstr("\"mean of 10\""));
+  const bool has_plot = files("dent.out").contains("dent.out/error_against_time.svg");
+  EXPECT_NE(has_plot, ended.out.find("the figures were not drawn") != std::string::npos);
   if (has_plot) {
-    EXPECT_THAT(read("dent.out/error_vs_time.svg"), AllOf(HasSubstr("<svg"), HasSubstr("mean of 10")));
+    EXPECT_THAT(read("dent.out/error_against_time.svg"), AllOf(HasSubstr("<svg"), HasSubstr("mean of 10")));
   }
+  const std::string details = study({file, "--details"}).out;
+  EXPECT_THAT(details,
+              AllOf(HasSubstr("half the time step"), HasSubstr("double precision"), HasSubstr("element-steps")));
+}
+
+TEST_F(Study, WithoutAFolderTheMarkdownHasItsFiguresBesideIt) {
+  ASSERT_EQ(study({scene(), "--out", "none", "--markdown", "pages/page.md"}).code, 0);
+  EXPECT_THAT(read("pages/page.md"), HasSubstr("](./error_against_time.svg)"));
+  const auto written = files();
+  EXPECT_TRUE(written.contains("pages/error_against_time.csv"));
+  EXPECT_FALSE(written.contains("dent.out/result.json"));
 }
 
 TEST_F(Study, WithoutGnuplotSaysThatNoPlotWasDrawn) {
@@ -58,8 +71,9 @@ TEST_F(Study, WithoutGnuplotSaysThatNoPlotWasDrawn) {
   arguments.insert(arguments.end(), ladder.begin(), ladder.end());
   const Ended ended = run(arguments, [] { setenv("PATH", "/nowhere", 1); });
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("the plot was not drawn: no gnuplot"));
-  EXPECT_EQ(files("dent.out"), (std::set<std::string>{"dent.out/error_vs_time.csv", "dent.out/result.json"}));
+  EXPECT_THAT(ended.out, HasSubstr("the figures were not drawn: no gnuplot"));
+  EXPECT_EQ(files("dent.out"), (std::set<std::string>{"dent.out/error_vs_time.csv", "dent.out/error_against_time.csv",
+                                                      "dent.out/mesh_study.csv", "dent.out/result.json"}));
 }
 
 TEST_F(Study, OfASceneThatPassesThroughGivesAnAccountAndCodeThree) {

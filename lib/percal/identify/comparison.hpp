@@ -1,4 +1,4 @@
-// A table of numbers beside somebody else's: the steps of the chain, and published tables recomputed.
+// Numbers beside somebody else's: a comparison for each step of the chain, and published tables recomputed.
 #pragma once
 #include <optional>
 #include <string>
@@ -6,7 +6,11 @@
 
 namespace percal {
 
-// Numbers are in `unit`. `error` is the standard error that we know of; what it holds and leaves out stands in the table's note.
+struct IdentifyJob;
+struct Identification;
+struct PredictionResult;
+
+// Numbers are in `unit`. `error` is the standard error that we know of; what it holds and leaves out stands in the note.
 struct ComparedNumber {
   std::string what;
   std::string unit = "";
@@ -15,31 +19,33 @@ struct ComparedNumber {
   std::optional<double> error = {};
   int digits = 4;
   std::string remark = "";
-
-  // (ours - reference) / reference, where both are there and reference is not 0.
-  std::optional<double> difference() const {
-    if (!reference || !ours || *reference == 0) return std::nullopt;
-    return (*ours - *reference) / *reference;
-  }
 };
 
-struct ComparisonTable {
+struct ComparedNumbers {
   std::string name;
   std::string note;
   std::string beside = "";  // what `reference` is; empty: the job's reference
   std::vector<ComparedNumber> rows;
-
-  // Mean of |difference| over the rows that have one; nullopt where none has.
-  std::optional<double> mean_difference() const {
-    double sum = 0;
-    int n = 0;
-    for (const auto& row : rows)
-      if (const auto difference = row.difference()) {
-        sum += *difference < 0 ? -*difference : *difference;
-        ++n;
-      }
-    return n ? std::optional(sum / n) : std::nullopt;
-  }
 };
+
+inline std::optional<double> over(const std::optional<double>& value, double unit) {
+  return value ? std::optional(*value / unit) : std::nullopt;
+}
+
+// The steps of the chain: steps.cpp.
+ComparedNumbers law_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers ridge_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers similarity_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers formulation_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers tissue_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers check_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers mesh_step(const IdentifyJob& job, const Identification& found);
+ComparedNumbers prediction_step(const IdentifyJob& job, const PredictionResult& result);
+
+// What a reader must know before using the numbers, in sentences.
+std::vector<std::string> findings(const IdentifyJob& job, const Identification& found);
+
+// The published tables that the job lets us recompute: published_tables.cpp.
+std::vector<ComparedNumbers> published_tables(const IdentifyJob& job, const Identification& found);
 
 }  // namespace percal

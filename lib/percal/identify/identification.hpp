@@ -54,8 +54,8 @@ struct Identification {
   std::vector<Shooting> mesh_study;     // as job.mesh_study
   std::vector<PredictionResult> predictions;
   std::optional<CardMaterial> card;
-  std::vector<ComparisonTable> steps;   // one for each step of the chain, in order
-  std::vector<ComparisonTable> tables;  // published tables recomputed
+  std::vector<ComparedNumbers> steps;   // one for each step of the chain, in order
+  std::vector<ComparedNumbers> tables;  // published tables recomputed
   std::vector<std::string> findings;    // what a reader must know, in sentences
 
   // Every step of the chain could be taken.
@@ -64,6 +64,6 @@ struct Identification {
 
 // The job outlives the result. Steps are announced to `announce` (may be empty) as they finish.
 Identification identify(const IdentifyJob& job, Campaign& campaign,
-                        const std::function<void(const ComparisonTable&)>& announce);
+                        const std::function<void(const ComparedNumbers&)>& announce);
 
 }  // namespace percal

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "percal/identify/identification.hpp"
-#include "percal/identify/steps.hpp"
-#include "percal/identify/tables.hpp"
 
 namespace percal {
 namespace {
@@ -175,9 +173,9 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
 }  // namespace
 
 Identification identify(const IdentifyJob& job, Campaign& campaign,
-                        const std::function<void(const ComparisonTable&)>& announce) {
+                        const std::function<void(const ComparedNumbers&)>& announce) {
   Identification found;
-  const auto finish = [&](ComparisonTable table) {
+  const auto finish = [&](ComparedNumbers table) {
     if (announce) announce(table);
     found.steps.push_back(std::move(table));
   };

@@ -1,20 +1,17 @@
-#include "percal/identify/steps.hpp"
+// The steps of the chain as numbers beside the reference's, and what a reader must know of them.
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <tuple>
 
-#include "percal/units/quantity.hpp"
+#include "percal/identify/identification.hpp"
+#include "percal/page/numbers.hpp"
 
 namespace percal {
 namespace {
 
 constexpr double kPa = 1e3, MPa = 1e6, cm = 1e-2, um = 1e-6;
-
-std::optional<double> over(const std::optional<double>& value, double unit) {
-  return value ? std::optional(*value / unit) : std::nullopt;
-}
 
 std::optional<double> reference(const IdentifyJob& job, const std::string& key, double unit) {
   const auto found = job.reference.find(key);
@@ -26,13 +23,11 @@ std::pair<const char*, double> length_unit(double radius) {
   return radius < 1e-4 ? std::pair{"um", um} : std::pair{"cm", cm};
 }
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-
 }  // namespace
 
-ComparisonTable law_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers law_step(const IdentifyJob& job, const Identification& found) {
   const auto& law = found.gelatin.law;
-  ComparisonTable table{
+  ComparedNumbers table{
       .name = job.gelatin.name + ": modulus against concentration",
       .note = fmt::format(
           "mu = k c^n; k's error is the fit's standard error; high-rate moduli: the table's where a curve was "
@@ -62,9 +57,9 @@ ComparisonTable law_step(const IdentifyJob& job, const Identification& found) {
   return table;
 }
 
-ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers ridge_step(const IdentifyJob& job, const Identification& found) {
   const auto [unit, scale] = length_unit(job.calibration.radius);
-  ComparisonTable table;
+  ComparedNumbers table;
   table.name = fmt::format("ridge: modulus and erosion strain that give {:.4g} {}", job.penetration / scale, unit);
   table.note = fmt::format(
       "moduli as given ({}), {} strain, {} elements per radius; error: solver noise and the standard error of the "
@@ -76,7 +71,7 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
     table.note += fmt::format(
         "; alpha is fitted to the same pairs, so this table is no prediction: least mean deviation {} at {:.2f}, "
         "one standard error ({}) from {:.2f} to {:.2f}, the least of which is taken",
-        percent(scan.best_score), scan.best, percent(scan.score_error), scan.lowest, scan.highest);
+        page::percent(scan.best_score), scan.best, page::percent(scan.score_error), scan.lowest, scan.highest);
   }
   table.rows.push_back(
       {.what = "alpha", .unit = "", .reference = {}, .ours = found.alpha, .error = {}, .digits = 3, .remark = ""});
@@ -105,9 +100,9 @@ ComparisonTable ridge_step(const IdentifyJob& job, const Identification& found) 
   return table;
 }
 
-ComparisonTable similarity_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers similarity_step(const IdentifyJob& job, const Identification& found) {
   const auto& s = found.similarity;
-  ComparisonTable table{.name = fmt::format("similar model system: {} into {}", job.model.name, job.gelatin.name),
+  ComparedNumbers table{.name = fmt::format("similar model system: {} into {}", job.model.name, job.gelatin.name),
                         .note = "exact consequences of equal pi4, pi5 and pi8; errors are those of the numbers put in",
                         .rows = {}};
   table.rows.push_back({.what = "density that the model material should have",
@@ -128,9 +123,9 @@ ComparisonTable similarity_step(const IdentifyJob& job, const Identification& fo
   return table;
 }
 
-ComparisonTable formulation_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers formulation_step(const IdentifyJob& job, const Identification& found) {
   const auto& s = found.similarity;
-  ComparisonTable table{
+  ComparedNumbers table{
       .name = "formulation whose measured depth is nearest",
       .note = fmt::format("depth that the model shot should have: {:.4g} cm; error: standard deviation of single shots",
                           s.penetration / cm),
@@ -150,14 +145,14 @@ ComparisonTable formulation_step(const IdentifyJob& job, const Identification& f
   return table;
 }
 
-ComparisonTable tissue_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers tissue_step(const IdentifyJob& job, const Identification& found) {
   const auto& t = found.tissue;
-  ComparisonTable table{.name = job.tissue.name,
+  ComparedNumbers table{.name = job.tissue.name,
                         .note = fmt::format("true modulus = as given times {:.4g} ({}); the erosion strain's error is "
                                             "the ridge's; the modulus carries the "
                                             "error of the choice of one formulation, {} in depth",
                                             true_modulus(1, found.alpha, job.convention), word(job.convention),
-                                            percent(std::abs(found.similarity.mismatch))),
+                                            page::percent(std::abs(found.similarity.mismatch))),
                         .rows = {}};
   table.rows.push_back({.what = "high-rate shear modulus as given",
                         .unit = "MPa",
@@ -186,10 +181,10 @@ ComparisonTable tissue_step(const IdentifyJob& job, const Identification& found)
   return table;
 }
 
-ComparisonTable check_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers check_step(const IdentifyJob& job, const Identification& found) {
   const Penetration& p = found.model_check->penetration;
   const auto& s = found.similarity;
-  ComparisonTable table{
+  ComparedNumbers table{
       .name = "finite-element check of the model system",
       .note = fmt::format("{:.5g} kg/m3, {:.4g} kPa as given, erosion strain {:.3g}, {} elements per radius, {} runs; "
                           "error: their standard error",
@@ -212,9 +207,9 @@ ComparisonTable check_step(const IdentifyJob& job, const Identification& found) 
   return table;
 }
 
-ComparisonTable mesh_step(const IdentifyJob& job, const Identification& found) {
+ComparedNumbers mesh_step(const IdentifyJob& job, const Identification& found) {
   const auto [unit, scale] = length_unit(job.calibration.radius);
-  ComparisonTable table{
+  ComparedNumbers table{
       .name = "mesh: the calibration impact at the identified pair",
       .note = fmt::format(
           "the ridge was found with {} elements per radius, the predictions have their own; what the depth still "
@@ -234,9 +229,9 @@ ComparisonTable mesh_step(const IdentifyJob& job, const Identification& found) {
   return table;
 }
 
-ComparisonTable prediction_step(const IdentifyJob& job, const PredictionResult& result) {
+ComparedNumbers prediction_step(const IdentifyJob& job, const PredictionResult& result) {
   const PredictionSet& set = *result.set;
-  ComparisonTable table{.name = fmt::format("predicted: {} ({:.5g} kg/m3)", set.system, set.target_density),
+  ComparedNumbers table{.name = fmt::format("predicted: {} ({:.5g} kg/m3)", set.system, set.target_density),
                         .note = "",
                         .beside = "measured",
                         .rows = {}};
@@ -257,10 +252,9 @@ ComparisonTable prediction_step(const IdentifyJob& job, const PredictionResult& 
                           .remark = remark});
   }
   table.note = fmt::format("{} elements per radius, error: spread of {} runs", set.elements_per_radius, set.replicates);
-  if (result.mean_deviation_from_measured)
-    table.note += "; mean deviation from the measured depths " + percent(*result.mean_deviation_from_measured);
   if (result.mean_deviation_from_reference)
-    table.note += fmt::format(", from the {}'s {}", job.reference_name, percent(*result.mean_deviation_from_reference));
+    table.note += fmt::format("; mean deviation from the {}'s depths {}", job.reference_name,
+                              page::percent(result.mean_deviation_from_reference));
   return table;
 }
 

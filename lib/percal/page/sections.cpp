@@ -65,26 +65,6 @@ void add(Page& page, Section section) {
   if (!section.blocks.empty()) page.sections.push_back(std::move(section));
 }
 
-Table comparison_table(const Json& table) {
-  const Json& rows = list(table, "rows");
-  const bool remarks =
-      std::any_of(rows.begin(), rows.end(), [](const Json& row) { return !text(row, "remark").empty(); });
-  Table shown_table{.caption = text(table, "name"), .rows = {}, .notes = {}};
-  shown_table.rows.push_back({"", "unit", text(table, "reference"), "percal", "difference", "error"});
-  if (remarks) shown_table.rows.back().push_back("remark");
-  for (const Json& row : rows) {
-    const std::string unit = text(row, "unit");
-    shown_table.rows.push_back({text(row, "what"), unit.empty() ? "-" : unit, shown(number(row, "reference")),
-                                shown(number(row, "ours")), signed_percent(number(row, "difference")),
-                                shown(number(row, "error"), 2)});
-    if (remarks) shown_table.rows.back().push_back(text(row, "remark"));
-  }
-  if (const std::string note = text(table, "note"); !note.empty()) shown_table.notes.push_back(note);
-  if (const auto mean = number(table, "mean_difference"); mean && rows.size() > 1)
-    shown_table.notes.push_back("mean size of the differences " + percent(mean));
-  return shown_table;
-}
-
 Section findings_section(const Json& result) {
   Section section{.id = "findings", .title = "What a reader must know", .blocks = {}, .detail = Detail::answer};
   add(section, List{texts(at(result, "findings")), Tone::note});

@@ -29,9 +29,6 @@ void add(Section& section, List list);
 void add_sentence(Section& section, const std::string& text);
 void add(Page& page, Section section);
 
-// A table of numbers beside somebody else's, as identifications write them.
-Table comparison_table(const Json& table);
-
 // --- sections that every result has ---------------------------------------------------------------------------------
 Section findings_section(const Json& result);
 Section left_out_section(const Json& result);

@@ -54,19 +54,30 @@ std::vector<std::string> folded(const std::string& text, std::size_t width) {
   return lines;
 }
 
-// Rows whose last cell is too long go on below themselves.
-std::vector<Row> with_last_column_folded(const std::vector<Row>& rows, std::size_t columns, std::size_t width) {
-  std::vector<Row> result;
-  for (const Row& row : rows) {
-    result.push_back(row);
-    if (row.size() < columns) continue;
-    const auto lines = folded(row.back(), width);
-    result.back().back() = lines.front();
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-      Row more(columns);
-      more.back() = lines[k];
-      result.push_back(more);
+// Columns of words made narrower until the table fits, the widest first, none below its header; further lines of a cell are rows of
+// their own. Too wide still where there is nothing left to fold.
+std::vector<Row> folded_to_fit(const Table& table, std::size_t room) {
+  auto widths = widths_of(table.rows);
+  const Row& header = table.rows.front();
+  while (total(widths) > room) {
+    std::size_t widest = widths.size(), most = least_folded_width;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      const bool may_fold =
+          !is_column_of_numbers(table, c) && (c >= header.size() || widths[c] > characters(header[c]));
+      if (may_fold && widths[c] > most) most = widths[widest = c];
     }
+    if (widest == widths.size()) break;
+    --widths[widest];
+  }
+  std::vector<Row> result;
+  for (const Row& row : table.rows) {
+    std::vector<Row> lines(1, Row(row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const auto cell = folded(row[c], widths[c]);
+      lines.resize(std::max(lines.size(), cell.size()), Row(row.size()));
+      for (std::size_t k = 0; k < cell.size(); ++k) lines[k][c] = cell[k];
+    }
+    result.insert(result.end(), lines.begin(), lines.end());
   }
   return result;
 }
@@ -149,10 +160,7 @@ std::string as_text(const Table& table, const TextStyle& style) {
   if (style.columns <= 0 || total(widths) <= room) {
     text += plain(table, table.rows, style);
   } else {
-    const std::size_t others = total(widths) - widths.back();
-    const auto fit = others + least_folded_width > room
-                         ? table.rows
-                         : with_last_column_folded(table.rows, widths.size(), room - others);
+    const auto fit = folded_to_fit(table, room);
     text += total(widths_of(fit)) <= room ? plain(table, fit, style) : as_lists(table.rows);
   }
   for (const std::string& note : table.notes) text += sentence(note, style);

@@ -12,7 +12,6 @@ namespace percal {
 namespace {
 
 constexpr int resamples = 400;
-constexpr std::uint64_t seed = 2014;
 constexpr double far_extrapolation = 0.1;  // of the depth, from the finest mesh
 constexpr double two_sided_95 = 1.96;      // standard errors
 
@@ -84,11 +83,11 @@ std::size_t first_to_fit(std::span<const GridPoint> points) {
 // Meshes left out of the fit keep their depths but for their noise.
 std::vector<LadderModel> resample(std::span<const GridPoint> points, std::size_t left_out, const GridFit& fit,
                                   const Noise& noise) {
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random(resampling_seed);
   std::normal_distribution<double> normal;
   std::gamma_distribution<double> chi_squared(noise.freedom / 2.0, 2);
   std::vector<LadderModel> models;
-  for (const auto& finer : resampled(points.subspan(left_out), fit, resamples, seed)) {
+  for (const auto& finer : resampled(points.subspan(left_out), fit, resamples, resampling_seed)) {
     std::vector<GridPoint> series(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(left_out));
     for (auto& point : series) point.value += point.standard_error * normal(random);
     series.insert(series.end(), finer.begin(), finer.end());

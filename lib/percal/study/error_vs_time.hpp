@@ -2,6 +2,7 @@
 // docs/theory/errors.md.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,18 +13,20 @@
 namespace percal {
 
 inline constexpr std::array<int, 3> replicate_counts{1, 3, 10};  // whose means' errors are listed
+inline constexpr double error_level = 0.95;                      // of every interval
+inline constexpr std::uint64_t resampling_seed = 2014;           // of the noise drawn anew
 
 struct ErrorBand {
-  double value = 0, low = 0, high = 0;  // low to high: 95 of 100 cases
+  double value = 0, low = 0, high = 0;  // low to high: error_level
 };
 
 // Errors are shares of the extrapolated depth.
 struct RungError {
-  ErrorBand signed_error;              // of the mean that was found here
+  ErrorBand signed_error;             // of the mean that was found here
   double fitted_depth = 0;            // m
   std::optional<double> uncertainty;  // m, of grid_convergence(); not there for a mesh left out of the fit
   double discretisation = 0;          // the largest of this mesh and all finer ones, noise taken off
-  std::array<ErrorBand, 3> combined;   // with the noise of a mean of replicate_counts runs
+  std::array<ErrorBand, 3> combined;  // with the noise of a mean of replicate_counts runs
 };
 
 // A change of a numerical setting: the share by which it changes the depth, with its standard error.
@@ -48,7 +51,7 @@ struct ErrorVsTime {
   GridConvergence convergence;
   std::size_t first_used = 0;    // the rungs of Ladder::meshes from here on stopped
   std::size_t first_fitted = 0;  // and from here on were fitted: coarser ones do not follow the curve
-  ErrorBand limit;                // m, the extrapolated depth
+  ErrorBand limit;               // m, the extrapolated depth
   LadderModel model;
   std::vector<LadderModel> resampled;
   std::vector<RungError> errors;  // one for each used rung; empty where nothing could be fitted

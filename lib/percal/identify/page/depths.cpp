@@ -6,14 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "percal/identify/page/parts.hpp"
+#include "percal/identify/page/sections.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/page/numbers.hpp"
 
-namespace percal::page {
+namespace percal::page_of_identify {
 namespace {
-
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 PageShot shot_of(const Json& entry) {
   const auto value = [&](const char* key) { return number_or(entry, key, nowhere); };
@@ -228,4 +226,4 @@ Section depths_section(const Json& result) {
   return section;
 }
 
-}  // namespace percal::page
+}  // namespace percal::page_of_identify

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "percal/identify/page/parts.hpp"
+#include "percal/identify/page/sections.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/page/numbers.hpp"
 
-namespace percal::page {
+namespace percal::page_of_identify {
 namespace {
-
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 // A straight line through points of which two or more are at different x.
 std::optional<Line> line_through(const std::vector<double>& x, const std::vector<double>& y) {
@@ -298,4 +296,4 @@ Section trends_section(const Json& result) {
   return section;
 }
 
-}  // namespace percal::page
+}  // namespace percal::page_of_identify

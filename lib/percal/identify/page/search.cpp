@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "percal/identify/page/parts.hpp"
+#include "percal/identify/page/sections.hpp"
 #include "percal/page/numbers.hpp"
 
-namespace percal::page {
+namespace percal::page_of_identify {
 namespace {
 
 double largest(const Json& entries, const std::string& key) {
@@ -17,9 +17,12 @@ double largest(const Json& entries, const std::string& key) {
   return most;
 }
 
-constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
+
+std::string sphere_words(const Json& sphere) {
+  return fmt::format("{} of radius {} at {} m/s", text(sphere, "particle"), length(number(sphere, "radius_m")),
+                     shown(number(sphere, "speed_m_s")));
+}
 
 Section law_section(const Json& result) {
   Section section{.id = "law", .title = "Modulus against concentration", .blocks = {}};
@@ -27,6 +30,9 @@ Section law_section(const Json& result) {
   const Json& formulations = list(model, "formulations");
   const auto k = number(law, "k_Pa"), n = number(law, "n");
   if (formulations.empty() || !k || !n) return section;
+  add_sentence(section, fmt::format("The modulus of {} is that of the formulation of {} in which {} goes as deep as in "
+                                    "the system that is similar to the calibration's shot, carried over.",
+                                    text(at(result, "skin"), "name"), text(model, "material"), sphere_words(model)));
   const ShownUnit unit = pressure_unit(largest(formulations, "mu_quasistatic_as_given_Pa"));
   Series fitted = series("measured", Mark::points, 0), others = series("not fitted", Mark::points, 1);
   double low = HUGE_VAL, high = 0, chosen = number_or(at(result, "similarity"), "formulation", nowhere), at_chosen = 0;
@@ -102,11 +108,19 @@ Section alpha_section(const Json& result) {
                                     shown(value)),
              .alt = fmt::format("Mean deviation of depths against alpha: a valley whose floor reaches from {}.", range),
              .chart = chart});
-  if (yes(alpha, "ridge_is_in_sample"))
-    add_sentence(section,
-                 "alpha was fitted to the pairs that the ridge is compared with: their agreement is no prediction.");
-  if (yes(alpha, "at_edge")) add_sentence(section, "The best alpha is at the edge of the scan.");
   return section;
+}
+
+Table ridge_table(const Json& result) {
+  Table table{.caption = "Pairs of modulus and erosion strain that give the calibration's depth",
+              .rows = {{"strain", "mu as given", "mu true", "error: solver", "data", "published", "outcome"}},
+              .notes = {}};
+  for (const Json& point : list(result, "ridge"))
+    table.rows.push_back({shown(number(point, "erosion_strain")), pressure(number(point, "mu_as_given_Pa")),
+                          pressure(number(point, "mu_true_Pa")), percent(number(point, "relative_error_solver")),
+                          percent(number(point, "relative_error_data")),
+                          pressure(number(point, "table_mu_as_given_Pa")), text(point, "outcome")});
+  return table;
 }
 
 Section ridge_section(const Json& result) {
@@ -115,10 +129,6 @@ Section ridge_section(const Json& result) {
   const ShownUnit unit = pressure_unit(largest(ridge, "mu_as_given_Pa"));
   Series line = series("", Mark::line, 0), ours = series("percal", Mark::points_with_bars, 0),
          published = series("published pairs", Mark::points, 1), found = series("identified", Mark::points, 2);
-  Table table{
-      .caption = "The ridge",
-      .rows = {{"erosion strain", "mu as given", "mu true", "error: solver", "error: data", "published", "outcome"}},
-      .notes = {}};
   double softest = HUGE_VAL, stiffest = 0;
   for (const Json& point : ridge) {
     const double strain = number_or(point, "erosion_strain", nowhere);
@@ -128,14 +138,9 @@ Section ridge_section(const Json& result) {
     add_bar(ours, strain, mu, mu - error, mu + error);
     add_point(line, strain, mu);
     add_point(published, strain, number_or(point, "table_mu_as_given_Pa", nowhere) / unit.size);
-    if (std::isfinite(mu)) {
-      softest = std::min(softest, mu);
-      stiffest = std::max(stiffest, mu);
-    }
-    table.rows.push_back({shown(strain), pressure(number(point, "mu_as_given_Pa")),
-                          pressure(number(point, "mu_true_Pa")), percent(number(point, "relative_error_solver")),
-                          percent(number(point, "relative_error_data")),
-                          pressure(number(point, "table_mu_as_given_Pa")), text(point, "outcome")});
+    if (!std::isfinite(mu)) continue;
+    softest = std::min(softest, mu);
+    stiffest = std::max(stiffest, mu);
   }
   add_point(found, number_or(tissue, "erosion_strain", nowhere),
             number_or(tissue, "mu_highrate_as_given_Pa", nowhere) / unit.size);
@@ -158,7 +163,6 @@ Section ridge_section(const Json& result) {
                                          "published pairs beside it.",
                                          stiffest, softest, unit.name, published.x.size()),
                       .chart = chart});
-  add(section, std::move(table));
   return section;
 }
 
@@ -214,4 +218,4 @@ Section mesh_section(const Json& result) {
   return section;
 }
 
-}  // namespace percal::page
+}  // namespace percal::page_of_identify

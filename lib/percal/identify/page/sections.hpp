@@ -1,19 +1,28 @@
-// Sections of an identification's page. For the .cpp files of this folder.
+// Sections of an identification's page, by the file that has them. For the .cpp files of this folder.
 #pragma once
+#include <limits>
+
 #include "percal/page/sections.hpp"
 
-namespace percal::page {
+namespace percal::page_of_identify {
 
-// identify_page_search.cpp: what was searched, and on which mesh.
+using namespace page;
+
+inline constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+std::string sphere_words(const Json& sphere);  // "gold of radius 1 um at 651 m/s"
+
+// search.cpp: what was searched, and on which mesh.
 Section law_section(const Json& result);
 Section alpha_section(const Json& result);
+Table ridge_table(const Json& result);
 Section ridge_section(const Json& result);
 Section mesh_section(const Json& result);
 
-// identify_page_depths.cpp: measured depths, the reference's and percal's against the impact parameter rho_p v a.
+// depths.cpp: measured depths, the reference's and percal's against the impact parameter rho_p v a.
 Section depths_section(const Json& result);
 
-// identify_page_model.cpp: the model material's shots in other scales, and carried over to the tissue.
+// model.cpp: the model material's shots in other scales, and carried over to the tissue.
 Section model_section(const Json& result);
 Section scaled_section(const Json& result);
 Section trends_section(const Json& result);
@@ -41,4 +50,4 @@ struct BallGroup {
 };
 std::vector<BallGroup> by_ball(const std::vector<PageShot>& shots);
 
-}  // namespace percal::page
+}  // namespace percal::page_of_identify

@@ -1,9 +1,10 @@
-#include "percal/identify/tables.hpp"
+// The published tables that a job names, computed again.
 
 #include <fmt/core.h>
 
 #include <cmath>
 
+#include "percal/identify/identification.hpp"
 #include "percal/math/statistics.hpp"
 
 namespace percal {
@@ -11,13 +12,13 @@ namespace {
 
 constexpr double kPa = 1e3, MPa = 1e6, cm = 1e-2, um = 1e-6;
 
-void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::vector<ComparisonTable>& tables) {
+void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::vector<ComparedNumbers>& tables) {
   const auto* scan = std::get_if<AlphaScan>(&job.alpha);
   if (!scan) return;
-  ComparisonTable moduli{.name = scan->target_name + ", identified modulus",
+  ComparedNumbers moduli{.name = scan->target_name + ", identified modulus",
                          .note = "as given; alpha was fitted to this table",
                          .rows = {}};
-  ComparisonTable mapped{.name = scan->target_name + ", modulus of the model system",
+  ComparedNumbers mapped{.name = scan->target_name + ", modulus of the model system",
                          .note = "the printed tissue modulus carried over by pi4",
                          .rows = {}};
   for (const RidgePoint& point : found.ridge) {
@@ -38,44 +39,41 @@ void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::
   if (!mapped.rows.empty()) tables.push_back(std::move(mapped));
 }
 
-void add_formulation_table(const IdentifyJob& job, const Identification& found, std::vector<ComparisonTable>& tables) {
-  ComparisonTable table{
+void add_formulation_table(const IdentifyJob& job, const Identification& found, std::vector<ComparedNumbers>& tables) {
+  ComparedNumbers table{
       .name = job.gelatin.table + ", high-rate modulus by law and rate factor", .note = "", .rows = {}};
   for (const Formulation& f : job.gelatin.formulations)
     table.rows.push_back(
         {.what = fmt::format("{} wt%", f.concentration),
          .unit = "kPa",
-         .reference = f.mu_high_rate ? std::optional(*f.mu_high_rate / kPa) : std::nullopt,
+         .reference = over(f.mu_high_rate, kPa),
          .ours = high_rate_modulus(found.gelatin.law.at(f.concentration), job.gelatin.rate_factor) / kPa});
   tables.push_back(std::move(table));
 }
 
-void add_line(const ScaledLine& scaled, const Line& line, std::vector<ComparisonTable>& tables) {
-  const auto in_cm = [](const std::optional<double>& metres) {
-    return metres ? std::optional(*metres / cm) : std::nullopt;
-  };
-  ComparisonTable table{
+void add_line(const ScaledLine& scaled, const Line& line, std::vector<ComparedNumbers>& tables) {
+  ComparedNumbers table{
       .name = scaled.shots_table + ": line through the model's shots", .note = "depth against rho v a", .rows = {}};
   table.rows.push_back({.what = "slope",
                         .unit = "cm per kg/(m s)",
-                        .reference = in_cm(scaled.reference_slope),
+                        .reference = over(scaled.reference_slope, cm),
                         .ours = line.slope / cm,
-                        .error = in_cm(line.slope_error),
+                        .error = over(line.slope_error, cm),
                         .digits = 5});
   table.rows.push_back({.what = "intercept",
                         .unit = "cm",
-                        .reference = in_cm(scaled.reference_intercept),
+                        .reference = over(scaled.reference_intercept, cm),
                         .ours = line.intercept / cm,
-                        .error = in_cm(line.intercept_error),
+                        .error = over(line.intercept_error, cm),
                         .digits = 5});
   tables.push_back(std::move(table));
 }
 
-void add_scaled_line(const ScaledLine& scaled, const Identification& found, std::vector<ComparisonTable>& tables) {
+void add_scaled_line(const ScaledLine& scaled, const Identification& found, std::vector<ComparedNumbers>& tables) {
   const Line line = depth_trend(scaled.shots);
   add_line(scaled, line, tables);
   const double speed_ratio = *found.similarity.model.speed / *found.similarity.prototype.speed;
-  ComparisonTable table{.name = scaled.name, .note = "from the line through the model's shots", .rows = {}};
+  ComparedNumbers table{.name = scaled.name, .note = "from the line through the model's shots", .rows = {}};
   std::vector<double> computed, measured;
   for (const PredictedShot& shot : scaled.cases) {
     System prototype;
@@ -90,7 +88,7 @@ void add_scaled_line(const ScaledLine& scaled, const Identification& found, std:
     table.rows.push_back(
         {.what = fmt::format("{}, a = {:.3g} um, {:.4g} m/s", shot.particle, shot.radius / um, shot.speed),
          .unit = "um",
-         .reference = shot.reference ? std::optional(*shot.reference / um) : std::nullopt,
+         .reference = over(shot.reference, um),
          .ours = depth / um});
   }
   if (!computed.empty())
@@ -102,13 +100,13 @@ void add_scaled_line(const ScaledLine& scaled, const Identification& found, std:
   tables.push_back(std::move(table));
 }
 
-void add_prediction_tables(const IdentifyJob& job, const Identification& found, std::vector<ComparisonTable>& tables) {
+void add_prediction_tables(const IdentifyJob& job, const Identification& found, std::vector<ComparedNumbers>& tables) {
   for (const PredictionResult& result : found.predictions) {
     bool has_reference = false;
     for (const PredictedShot& shot : result.set->shots) has_reference |= shot.reference.has_value();
     const std::string system =
         result.set->table.empty() ? result.set->system : result.set->table + ", " + result.set->system;
-    ComparisonTable table{.name = fmt::format("{} ({:.5g} kg/m3)", system, result.set->target_density),
+    ComparedNumbers table{.name = fmt::format("{} ({:.5g} kg/m3)", system, result.set->target_density),
                           .note = has_reference ? "beside the " + job.reference_name + "'s finite elements"
                                                 : "beside the measured depths",
                           .rows = {}};
@@ -120,9 +118,9 @@ void add_prediction_tables(const IdentifyJob& job, const Identification& found, 
       table.rows.push_back(
           {.what = fmt::format("{}, a = {:.4g} mm, {:.4g} m/s", shot.particle, shot.radius * 1e3, shot.speed),
            .unit = unit == um ? "um" : "cm",
-           .reference = other ? std::optional(*other / unit) : std::nullopt,
-           .ours = p.depth ? std::optional(*p.depth / unit) : std::nullopt,
-           .error = p.standard_error ? std::optional(*p.standard_error / unit) : std::nullopt,
+           .reference = over(other, unit),
+           .ours = over(p.depth, unit),
+           .error = over(p.standard_error, unit),
            .remark = p.depth ? "" : word(p.outcome)});
     }
     tables.push_back(std::move(table));
@@ -131,10 +129,10 @@ void add_prediction_tables(const IdentifyJob& job, const Identification& found, 
 
 Line line_of(const TrendTable& trend) { return linear_trend(trend.x, trend.y); }
 
-void add_trends(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
+void add_trends(const IdentifyJob& job, std::vector<ComparedNumbers>& tables) {
   for (const TrendTable& trend : job.trends) {
     const Line line = line_of(trend);
-    ComparisonTable table{.name = trend.name + ": line", .note = trend.y_name + " against " + trend.x_name, .rows = {}};
+    ComparedNumbers table{.name = trend.name + ": line", .note = trend.y_name + " against " + trend.x_name, .rows = {}};
     table.rows.push_back({.what = "slope",
                           .unit = trend.unit,
                           .reference = trend.reference_slope,
@@ -150,10 +148,10 @@ void add_trends(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
   }
 }
 
-void add_equal_mass(const IdentifyJob& job, std::vector<ComparisonTable>& tables) {
+void add_equal_mass(const IdentifyJob& job, std::vector<ComparedNumbers>& tables) {
   if (!job.equal_mass) return;
   const EqualMass& equal = *job.equal_mass;
-  ComparisonTable table{
+  ComparedNumbers table{
       .name = equal.table,
       .note = fmt::format("{:.4g} g at {:.4g} m/s, each from its own line", equal.mass * 1e3, equal.speed),
       .rows = {}};
@@ -177,8 +175,8 @@ void add_equal_mass(const IdentifyJob& job, std::vector<ComparisonTable>& tables
 
 }  // namespace
 
-std::vector<ComparisonTable> published_tables(const IdentifyJob& job, const Identification& found) {
-  std::vector<ComparisonTable> tables;
+std::vector<ComparedNumbers> published_tables(const IdentifyJob& job, const Identification& found) {
+  std::vector<ComparedNumbers> tables;
   add_ridge_tables(job, found, tables);
   add_formulation_table(job, found, tables);
   if (job.scaled_line) add_scaled_line(*job.scaled_line, found, tables);

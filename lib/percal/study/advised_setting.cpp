@@ -1,4 +1,4 @@
-#include "percal/study/advice.hpp"
+#include "percal/study/advised_setting.hpp"
 
 #include <fmt/format.h>
 
