@@ -90,8 +90,7 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
           ->needs(errors);
   auto* replicates = command->add_option("--replicates", study.replicates, "runs of each setting (default: 5)")
                          ->check(CLI::Range(3, 1000));
-  command->add_option("--markdown", study.markdown, "write the whole page as Markdown to this file"); not of --error-vs-time")
-      ->excludes(errors);
+  command->add_option("--markdown", study.markdown, "write the whole page as Markdown to this file");
   extremes->excludes(scene)->excludes(meshes)->excludes(replicates);
   command->footer(
       "Examples: percal study data/guha2009/gold.toml --error-vs-time --meshes 5,7,10,14 --replicates 3\n"

@@ -5,7 +5,7 @@ import re
 import sys
 
 # Keys that every command may write and page/ reads: sentences, what was left out, the ends of an interval.
-SHARED = {"findings", "left_out", "what", "why", "level", "seed", "low", "high", "low_open", "high_open", "job", "scene", "toml"}
+SHARED = {"findings", "cost", "left_out", "what", "why", "level", "seed", "low", "high", "low_open", "high_open", "job", "scene", "toml"}
 COMPARISON = re.compile(r"page/comparison[a-z_]*\.cpp$")
 
 READ = re.compile(r'\b(?:at|maybe|list|number|number_or|text|yes|value_words|interval_words|with_unit)\((?:[^()"]|\([^()]*\))*,\s*"([A-Za-z_0-9]+)"')
