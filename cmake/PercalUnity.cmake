@@ -12,9 +12,7 @@ set(PERCAL_APART
   study/study_json study/omissions_json calibrate/hypothesis_findings)
 list(TRANSFORM PERCAL_APART PREPEND lib/percal/)
 list(APPEND PERCAL_APART study_error_vs_time study_omissions study_extremes
-  acceptance/disk_test card/lsdyna_test card/solvers_test card/unit_system_test page/text_test campaign/sphere_runs_test
-  problem/reduce_test impact/rates_test impact/step_bound_test observe/picture_test
-  estimate/least_squares_test fit/fit_program_test fit/rate_factor_test fit/uncertainty_program_test fit/uncertainty_test)
+  acceptance/disk_test observe/picture_test)
 list(TRANSFORM PERCAL_APART APPEND .cpp)
 
 # Called in the folder that defines the targets, when they have all their sources.

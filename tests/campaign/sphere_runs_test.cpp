@@ -14,7 +14,7 @@ namespace percal {
 namespace {
 
 // Stops after some milliseconds.
-Problem quick(double pi4 = 6) {
+Problem quick_shot(double pi4 = 6) {
   Problem p;
   p.pi4 = pi4;
   p.density_ratio = 2;
@@ -33,13 +33,13 @@ class SphereRunsTest : public testing::Test, protected test::TemporaryFolder {
 
 TEST_F(SphereRunsTest, FinishedRunsAreRowsToLearnFrom) {
   Campaign campaign(&store, 1);
-  Problem replicate = quick();
+  Problem replicate = quick_shot();
   replicate.speed_factor = 1.001;
-  const Evaluation first = campaign.evaluate(quick()), second = campaign.evaluate(replicate);
+  const Evaluation first = campaign.evaluate(quick_shot()), second = campaign.evaluate(replicate);
   ASSERT_EQ(first.result.outcome, Outcome::stopped);
   const auto spheres = stored_spheres(store);
   ASSERT_EQ(spheres.size(), 2u);
-  EXPECT_EQ(spheres[0].key, evaluation_key(quick(), instruction_level()));
+  EXPECT_EQ(spheres[0].key, evaluation_key(quick_shot(), instruction_level()));
   EXPECT_EQ(spheres[0].outcome, "stopped");
   EXPECT_EQ(spheres[0].depth_over_radius, first.result.depth);
   EXPECT_EQ(spheres[0].cpu_seconds, first.cpu_seconds);
@@ -52,7 +52,7 @@ TEST_F(SphereRunsTest, FinishedRunsAreRowsToLearnFrom) {
 
 TEST_F(SphereRunsTest, ASphereThatDidNotStopHasNoDepth) {
   Campaign campaign(&store, 1);
-  Problem thin = quick(100);
+  Problem thin = quick_shot(100);
   thin.depth = 3;
   thin.density_ratio = 16;
   ASSERT_EQ(campaign.evaluate(thin).result.outcome, Outcome::passed_through);
@@ -63,7 +63,7 @@ TEST_F(SphereRunsTest, ASphereThatDidNotStopHasNoDepth) {
 
 TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {
   const auto put = [&](auto change, const std::string& level) {
-    Problem p = quick();
+    Problem p = quick_shot();
     change(p);
     store.put(evaluation_key(p, level), {"time up", "{}", 0});
   };
@@ -78,19 +78,19 @@ TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {
 }
 
 TEST_F(SphereRunsTest, APayloadThatIsNoneIsAnIoFailure) {
-  store.put(evaluation_key(quick(), instruction_level()), {"stopped", "{}", 0});
+  store.put(evaluation_key(quick_shot(), instruction_level()), {"stopped", "{}", 0});
   EXPECT_THROW(stored_spheres(store), IoFailure);
 }
 
 TEST(InputsOf, AreThoseOfTheProblem) {
-  Problem p = quick(12);
+  Problem p = quick_shot(12);
   p.bulk_ratio = 80;
   const SphereInputs expected{std::log(12.0), -std::log(2.0), 8.5, 0.7, std::log(20.0), std::log(80.0)};
   EXPECT_EQ(inputs_of(p), expected);
 }
 
 TEST(InputsOf, ALimitIsTheSameInEveryMeasure) {
-  Problem p = quick();
+  Problem p = quick_shot();
   for (const auto measure : {StrainMeasure::true_strain, StrainMeasure::green_lagrange}) {
     p.erosion = StrainErosion{strain_at(1.7, measure), measure};
     EXPECT_NEAR(inputs_of(p).erosion_strain, 0.7, 1e-14);
@@ -99,9 +99,9 @@ TEST(InputsOf, ALimitIsTheSameInEveryMeasure) {
 
 // A replicate at f v is the impact at that speed: the depths are the same but for rounding.
 TEST(InputsOf, AReplicatesSpeedIsPartOfPi4) {
-  Problem replicate = quick(), other = quick();
+  Problem replicate = quick_shot(), other = quick_shot();
   replicate.speed_factor = 1.3;
-  other.pi4 = quick().pi4 * 1.3 * 1.3;
+  other.pi4 = quick_shot().pi4 * 1.3 * 1.3;
   replicate.arithmetic = other.arithmetic = Arithmetic::double_precision;
   replicate.erosion = other.erosion = StrainErosion{50};  // one that erodes doubles every rounding
   replicate.density_ratio = other.density_ratio = 0.2;
@@ -109,11 +109,11 @@ TEST(InputsOf, AReplicatesSpeedIsPartOfPi4) {
   Campaign campaign(nullptr, 1);
   const double depth = campaign.evaluate(replicate).result.depth;
   EXPECT_NEAR(campaign.evaluate(other).result.depth, depth, 1e-3 * depth);
-  EXPECT_GT(std::abs(campaign.evaluate(quick()).result.depth - depth), 0.01 * depth);
+  EXPECT_GT(std::abs(campaign.evaluate(quick_shot()).result.depth - depth), 0.01 * depth);
 }
 
 TEST(SettingOf, TwoSystemsOnTwoMeshesShareOne) {
-  Problem other = quick(40);
+  Problem other = quick_shot(40);
   other.density_ratio = 7;
   other.alpha = 3;
   other.bulk_ratio = 500;
@@ -122,14 +122,14 @@ TEST(SettingOf, TwoSystemsOnTwoMeshesShareOne) {
   other.elements_per_radius = 16;
   other.graded_columns = usual_graded_columns(other.fine_width, 16);
   other.speed_factor = 0.999;
-  EXPECT_EQ(setting_of(other), setting_of(quick()));
+  EXPECT_EQ(setting_of(other), setting_of(quick_shot()));
 }
 
 TEST(SettingOf, WhatTheEmulatorDoesNotKnowTellsThemApart) {
   const auto differs = [](auto change) {
-    Problem p = quick();
+    Problem p = quick_shot();
     change(p);
-    return setting_of(p) != setting_of(quick());
+    return setting_of(p) != setting_of(quick_shot());
   };
   EXPECT_TRUE(differs([](Problem& p) { p.contact_stiffness = 0.156; }));
   EXPECT_TRUE(differs([](Problem& p) { p.width = 10; }));

@@ -86,7 +86,7 @@ TEST(AbaqusCard, IsNotBrokenByOddComments) {
   EXPECT_EQ(keywords, 3);
 }
 
-std::string refusal(const std::string& card) {
+std::string abaqus_refusal(const std::string& card) {
   try {
     read_card("abaqus", card, unit_system("si"), "card.inp");
   } catch (const BadInput& error) {
@@ -97,16 +97,16 @@ std::string refusal(const std::string& card) {
 
 TEST(AbaqusReader, NamesFileLineAndFieldOfWhatItCannotRead) {
   const std::string start = "*MATERIAL, NAME=X\n*DENSITY\n1000.\n";
-  EXPECT_EQ(refusal(start + "*Hyperelastic, Ogden, N=1\n1e6, 3, 1e-8\n"), "");
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=4\n1, 2, 3\n"),
+  EXPECT_EQ(abaqus_refusal(start + "*Hyperelastic, Ogden, N=1\n1e6, 3, 1e-8\n"), "");
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=4\n1, 2, 3\n"),
               AllOf(HasSubstr("card.inp:4"), HasSubstr("N=4")));
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=2\n1, 2, 3\n"), HasSubstr("card.inp:5"));
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, NEO HOOKE\n1, 2\n"), HasSubstr("OGDEN"));
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, TEST DATA INPUT\n1, 2\n"), HasSubstr("percal fit"));
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2\n"), HasSubstr("card.inp:5"));
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2, 0\n"), HasSubstr("D1"));
-  EXPECT_THAT(refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, b, 1\n"), HasSubstr("alpha"));
-  EXPECT_THAT(refusal("*MATERIAL, NAME=X\n*HYPERELASTIC, OGDEN, N=1\n1, 2, 1\n"), HasSubstr("*DENSITY"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=2\n1, 2, 3\n"), HasSubstr("card.inp:5"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, NEO HOOKE\n1, 2\n"), HasSubstr("OGDEN"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, TEST DATA INPUT\n1, 2\n"), HasSubstr("percal fit"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2\n"), HasSubstr("card.inp:5"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2, 0\n"), HasSubstr("D1"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, b, 1\n"), HasSubstr("alpha"));
+  EXPECT_THAT(abaqus_refusal("*MATERIAL, NAME=X\n*HYPERELASTIC, OGDEN, N=1\n1, 2, 1\n"), HasSubstr("*DENSITY"));
 }
 
 }  // namespace

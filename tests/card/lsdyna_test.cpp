@@ -4,6 +4,7 @@
 
 #include "card/card_test.hpp"
 #include "percal/base/version.hpp"
+#include "support/replaced.hpp"
 
 namespace percal {
 namespace {
@@ -13,6 +14,7 @@ using card_test::line_under;
 using card_test::lines_of;
 using card_test::read_card;
 using card_test::skin;
+using test::replaced;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -139,7 +141,7 @@ TEST(LsDynaCard, RefusesAnExponentSoSmallThatItsModulusOverflows) {
   EXPECT_THROW(lsdyna_card(material, unit_system("si")), BadInput);
 }
 
-std::string refusal(const std::string& card) {
+std::string lsdyna_refusal(const std::string& card) {
   try {
     read_card("lsdyna", card, unit_system("si"), "card.k");
   } catch (const BadInput& error) {
@@ -148,21 +150,15 @@ std::string refusal(const std::string& card) {
   return "";
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const auto at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
-
 TEST(LsDynaReader, NamesFileLineAndFieldOfWhatItCannotRead) {
   const std::string card = lsdyna_card(skin(), unit_system("si"));
-  EXPECT_THAT(refusal("*MAT_ELASTIC\n"), AllOf(HasSubstr("card.k"), HasSubstr("no Ogden material")));
-  EXPECT_THAT(refusal(replaced(card, "     1.5e7", "     1.5q7")), AllOf(HasSubstr("MU1"), HasSubstr("1.5q7")));
-  EXPECT_THAT(refusal(replaced(card, "1000..490066225", "1000.       0.5")), HasSubstr("PR"));
-  EXPECT_THAT(refusal(replaced(card, "$ strain measure of MXEPS", "$ other")), HasSubstr("strain"));
-  EXPECT_THAT(refusal(replaced(card, "     1.5e7        0.", "     1.5e7        1.")), HasSubstr("ALPHA2"));
-  EXPECT_THAT(refusal("*MAT_OGDEN_RUBBER\n         1     1000.\n"), HasSubstr("MU1 to MU8"));
-  EXPECT_THAT(refusal(replaced(card, "     1.5e7        0.        0.", "     1.5e7        0.        1.")),
+  EXPECT_THAT(lsdyna_refusal("*MAT_ELASTIC\n"), AllOf(HasSubstr("card.k"), HasSubstr("no Ogden material")));
+  EXPECT_THAT(lsdyna_refusal(replaced(card, "     1.5e7", "     1.5q7")), AllOf(HasSubstr("MU1"), HasSubstr("1.5q7")));
+  EXPECT_THAT(lsdyna_refusal(replaced(card, "1000..490066225", "1000.       0.5")), HasSubstr("PR"));
+  EXPECT_THAT(lsdyna_refusal(replaced(card, "$ strain measure of MXEPS", "$ other")), HasSubstr("strain"));
+  EXPECT_THAT(lsdyna_refusal(replaced(card, "     1.5e7        0.", "     1.5e7        1.")), HasSubstr("ALPHA2"));
+  EXPECT_THAT(lsdyna_refusal("*MAT_OGDEN_RUBBER\n         1     1000.\n"), HasSubstr("MU1 to MU8"));
+  EXPECT_THAT(lsdyna_refusal(replaced(card, "     1.5e7        0.        0.", "     1.5e7        0.        1.")),
               HasSubstr("ALPHA3"));
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "card/card_test.hpp"
+#include "support/replaced.hpp"
 
 namespace percal {
 namespace {
@@ -13,6 +14,7 @@ using card_test::lines_of;
 using card_test::read_card;
 using card_test::skin;
 using card_test::write_card;
+using test::replaced;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -26,12 +28,6 @@ std::string refusal(const std::string& solver, const std::string& text) {
     return error.what();
   }
   return "";
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const auto at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
 std::ptrdiff_t line_of(const std::string& text, const std::string& what) {

@@ -10,7 +10,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string refusal(const std::string& name) {
+std::string units_refusal(const std::string& name) {
   try {
     unit_system(name);
   } catch (const BadInput& error) {
@@ -33,17 +33,18 @@ TEST(UnitSystem, TakesItsUnitsInAnyOrder) {
 }
 
 TEST(UnitSystem, RefusesAStressThatIsNotMassOverLengthTimeSquared) {
-  EXPECT_THAT(refusal("mm-t-s-GPa"), AllOf(HasSubstr("units"), HasSubstr("GPa is 1e+09 Pa"), HasSubstr("1e+06 Pa")));
-  EXPECT_NE(refusal("mm-s-kg-MPa"), "");  // kg/(mm s2) is a kilopascal
-  EXPECT_EQ(refusal("mm-s-kg-kPa"), "");
+  EXPECT_THAT(units_refusal("mm-t-s-GPa"),
+              AllOf(HasSubstr("units"), HasSubstr("GPa is 1e+09 Pa"), HasSubstr("1e+06 Pa")));
+  EXPECT_NE(units_refusal("mm-s-kg-MPa"), "");  // kg/(mm s2) is a kilopascal
+  EXPECT_EQ(units_refusal("mm-s-kg-kPa"), "");
 }
 
 TEST(UnitSystem, RefusesWhatIsMissingTwiceThereOrUnknown) {
-  EXPECT_THAT(refusal("mm-ms-kg"), HasSubstr("mm-ms-kg-GPa"));
-  EXPECT_THAT(refusal("mm-m-s-kg-Pa"), HasSubstr("both mm and m"));
-  EXPECT_THAT(refusal("mm-t-s-furlong"), HasSubstr("furlong"));
-  EXPECT_NE(refusal(""), "");
-  EXPECT_NE(refusal("mm-t-s-MPa-m/s"), "");
+  EXPECT_THAT(units_refusal("mm-ms-kg"), HasSubstr("mm-ms-kg-GPa"));
+  EXPECT_THAT(units_refusal("mm-m-s-kg-Pa"), HasSubstr("both mm and m"));
+  EXPECT_THAT(units_refusal("mm-t-s-furlong"), HasSubstr("furlong"));
+  EXPECT_NE(units_refusal(""), "");
+  EXPECT_NE(units_refusal("mm-t-s-MPa-m/s"), "");
 }
 
 }  // namespace

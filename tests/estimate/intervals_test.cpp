@@ -17,8 +17,6 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::Not;
 
-const SearchOptions quick{.global_evaluations = 500, .starts = 4};
-
 double deviation(const Minimum& minimum, int k) { return std::sqrt(minimum.covariance(k, k)); }
 
 TEST(ProfileIntervals, OfALineAreStudentsT) {

@@ -16,8 +16,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using ::testing::HasSubstr;
 
-const SearchOptions quick{.global_evaluations = 500, .starts = 4};
-
 MatrixXd line_matrix(int data) {
   MatrixXd X(data, 2);
   for (int i = 0; i < data; ++i) X.row(i) << 1, line_x(i);

@@ -12,6 +12,8 @@
 
 namespace percal {
 
+inline const SearchOptions quick{.global_evaluations = 500, .starts = 4};
+
 // Value and derivatives of one datum's model at a searched point.
 struct ValueAndGradient {
   double value;

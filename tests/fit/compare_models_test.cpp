@@ -18,7 +18,7 @@ const ComparedModel& model_in(const std::vector<ComparedModel>& models, Model mo
   throw std::logic_error("not compared");
 }
 
-CurveData made_with(const Hyperelastic& solid) {
+CurveData exact_data(const Hyperelastic& solid) {
   CurveData data;
   int i = 0;
   for (const auto deformation : {Deformation::uniaxial, Deformation::equibiaxial, Deformation::planar})
@@ -32,7 +32,7 @@ CurveData made_with(const Hyperelastic& solid) {
 TEST(CompareModels, TheTrueModelHasTheLowestCriterionAndPredictsWhatItDidNotSee) {
   for (const auto& [truth, model] : {std::pair{Hyperelastic{{{900, 2}, {300, -2}}}, Model::mooney_rivlin},
                                      {Hyperelastic{{{1000, 6}}}, Model::ogden}}) {
-    const auto models = compare_models(made_with(truth), {});
+    const auto models = compare_models(exact_data(truth), {});
     ASSERT_EQ(models.size(), 5u);
     const auto& best = model_in(models, model);
     for (const auto& other : models) EXPECT_LE(*best.fit->aicc, *other.fit->aicc) << word(other.model);
@@ -62,7 +62,7 @@ TEST(CompareModels, ALeftOutTestIsPredictedFromTheOthersAlone) {
 }
 
 TEST(CompareModels, OneTestIsLeftUnpredictedAndTooFewPointsAreSaid) {
-  auto data = made_with({{{1000, 6}}});
+  auto data = exact_data({{{1000, 6}}});
   data.points.resize(5);
   const auto models = compare_models(data, {});
   EXPECT_TRUE(model_in(models, Model::ogden).left_out.empty());

@@ -10,9 +10,9 @@
 namespace percal {
 namespace {
 
+using test::gel;
 using test::NormalNumbers;
 
-constexpr Ogden gel{.mu = 11640, .alpha = 9};
 constexpr int replicates = 500;
 constexpr unsigned seed = 20090401;
 

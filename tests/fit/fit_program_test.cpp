@@ -11,7 +11,7 @@ using nlohmann::json;
 using test::Ended;
 using testing::HasSubstr;
 
-const std::string treloar = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
+const std::string treloar_csv = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
 
 class FitProgram : public test::Program {
  protected:
@@ -34,7 +34,7 @@ void expect_documented(const json& value, const std::string& page) {
 }
 
 TEST_F(FitProgram, TheJsonHoldsTreloarsTwoMinimaBestFirstAndNothingElse) {
-  const Ended run = fit({treloar, "--where", "mode=UT", "--residual", "absolute", "--json"});
+  const Ended run = fit({treloar_csv, "--where", "mode=UT", "--residual", "absolute", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const json result = json::parse(run.out);
@@ -64,7 +64,7 @@ TEST_F(FitProgram, EveryPublicFileOfCurvesIsFitted) {
     EXPECT_GT(result["minima"].at(0)["mu_Pa"].get<double>(), 0);
     return result["points"].get<int>() + result["left_out_zero_stress"].get<int>();
   };
-  EXPECT_EQ(points({treloar}), 53);
+  EXPECT_EQ(points({treloar_csv}), 53);
   EXPECT_EQ(points({public_file("meunier2008_silicone_modes.csv")}), 66);
   const std::string meat = public_file("stpierre2023_meat_tension_compression_shear.csv");
   EXPECT_EQ(points({meat, "--where", "material_label=ac"}), 78);
@@ -79,7 +79,7 @@ TEST_F(FitProgram, EveryPublicFileOfCurvesIsFitted) {
   EXPECT_EQ(points_of_skin({"--where", "protocol=equibiaxial", "--mode", "equibiaxial"}), 81);
   EXPECT_EQ(points_of_skin({"--where", "protocol=strip_x (stretch_y=1)", "--mode", "planar"}), 101);
   EXPECT_EQ(points_of_skin({"--mode", "general_biaxial", "--residual", "absolute"}), 402);
-  EXPECT_EQ(points({treloar, public_file("meunier2008_silicone_modes.csv")}), 53 + 66);
+  EXPECT_EQ(points({treloar_csv, public_file("meunier2008_silicone_modes.csv")}), 53 + 66);
 }
 
 TEST_F(FitProgram, AFileOfDepthsIsRefusedWithAReason) {
@@ -90,12 +90,12 @@ TEST_F(FitProgram, AFileOfDepthsIsRefusedWithAReason) {
 }
 
 TEST_F(FitProgram, BadInputIsExitTwoWithOneClearMessage) {
-  const Ended none = fit({treloar, "--where", "mode=XX"});
+  const Ended none = fit({treloar_csv, "--where", "mode=XX"});
   EXPECT_EQ(none.code, 2);
   EXPECT_THAT(none.err, HasSubstr("\"UT\", \"ET\", \"PS\""));
   EXPECT_EQ(fit({"/nowhere.csv"}).code, 2);
-  EXPECT_EQ(fit({treloar, "--where", "nonsense"}).code, 2);
-  EXPECT_EQ(fit({treloar, "--y", "nonsense"}).code, 2);
+  EXPECT_EQ(fit({treloar_csv, "--where", "nonsense"}).code, 2);
+  EXPECT_EQ(fit({treloar_csv, "--y", "nonsense"}).code, 2);
   EXPECT_EQ(fit({write("few.csv", "stretch,stress_kPa\n1.5,3\n"), "--mode", "UT"}).code, 2);
   const Ended lines = fit({write("bad.csv", "stretch,stress_kPa\n1.5,3\nx,4\n1.7,y\n1.8\n"), "--mode", "UT"});
   EXPECT_EQ(lines.code, 2);
@@ -107,22 +107,22 @@ TEST_F(FitProgram, BadInputIsExitTwoWithOneClearMessage) {
 }
 
 TEST_F(FitProgram, TheOutFolderGetsTheSameResult) {
-  const Ended run = fit({treloar, "--json", "--out", path("new/out")});
+  const Ended run = fit({treloar_csv, "--json", "--out", path("new/out")});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(result("new/out/result.json"), json::parse(run.out));
 }
 
 TEST_F(FitProgram, ResultsGoToAFolderNamedForTheFirstFileUnlessNoneAreWanted) {
-  ASSERT_EQ(fit({treloar, "--quiet", "--no-intervals", "--out", "none"}).code, 0);
-  ASSERT_EQ(fit({treloar, "--check"}).code, 0);
+  ASSERT_EQ(fit({treloar_csv, "--quiet", "--no-intervals", "--out", "none"}).code, 0);
+  ASSERT_EQ(fit({treloar_csv, "--check"}).code, 0);
   EXPECT_EQ(files(), std::set<std::string>{});
-  ASSERT_EQ(fit({treloar, public_file("meunier2008_silicone_modes.csv"), "--quiet", "--no-intervals"}).code, 0);
+  ASSERT_EQ(fit({treloar_csv, public_file("meunier2008_silicone_modes.csv"), "--quiet", "--no-intervals"}).code, 0);
   EXPECT_EQ(result("treloar1944_rubber_primary.out/result.json")["input"]["files"].size(), 2u);
 }
 
 TEST_F(FitProgram, AnUnwritableFolderIsExitFour) {
   write("file", "not a folder");
-  const Ended run = fit({treloar, "--out", path("file/out")});
+  const Ended run = fit({treloar_csv, "--out", path("file/out")});
   EXPECT_EQ(run.code, 4);
   EXPECT_EQ(run.out, "");
   // Found before the fit, which would refuse a single point.
@@ -132,37 +132,37 @@ TEST_F(FitProgram, AnUnwritableFolderIsExitFour) {
 
 TEST_F(FitProgram, AFullDiskIsExitFour) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  EXPECT_EQ(fit({treloar, "--json"}, test::into_a_full_disk).code, 4);
+  EXPECT_EQ(fit({treloar_csv, "--json"}, test::into_a_full_disk).code, 4);
 }
 
 TEST_F(FitProgram, OptionsAndFilesMayStandInAnyOrder) {
-  EXPECT_EQ(fit({"--where", "mode=UT", "--where", "stretch=1.02", "--check", "--quiet", treloar}).code, 0);
-  EXPECT_EQ(fit({"--residual", "absolute", "--where", "mode=UT", treloar, "--quiet"}).code, 0);
+  EXPECT_EQ(fit({"--where", "mode=UT", "--where", "stretch=1.02", "--check", "--quiet", treloar_csv}).code, 0);
+  EXPECT_EQ(fit({"--residual", "absolute", "--where", "mode=UT", treloar_csv, "--quiet"}).code, 0);
 }
 
 TEST_F(FitProgram, CheckReadsAndFitsNothing) {
-  const Ended run = fit({treloar, "--check", "--json"});
+  const Ended run = fit({treloar_csv, "--check", "--json"});
   EXPECT_EQ(run.code, 0);
   EXPECT_FALSE(json::parse(run.out).contains("minima"));
-  EXPECT_EQ(fit({treloar, "--check", "--where", "mode=XX"}).code, 2);
-  EXPECT_EQ(fit({treloar, "--check", "--mode", "ET"}).code, 2);
+  EXPECT_EQ(fit({treloar_csv, "--check", "--where", "mode=XX"}).code, 2);
+  EXPECT_EQ(fit({treloar_csv, "--check", "--mode", "ET"}).code, 2);
 }
 
 TEST_F(FitProgram, QuietPrintsNothing) {
-  const Ended run = fit({treloar, "--quiet"});
+  const Ended run = fit({treloar_csv, "--quiet"});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out + run.err, "");
 }
 
 TEST_F(FitProgram, TheTableShowsBothMinimaAndSaysTheSignIsOpen) {
-  const Ended run = fit({treloar, "--where", "mode=UT", "--residual", "absolute"});
+  const Ended run = fit({treloar_csv, "--where", "mode=UT", "--residual", "absolute"});
   EXPECT_EQ(run.code, 0);
   for (const char* part : {"-7.785", "3.901", "0.555 %", "negative alpha", "24 points (24 uniaxial)", "95 % interval"})
     EXPECT_THAT(run.out, HasSubstr(part));
 }
 
 TEST_F(FitProgram, WhatTheAnswerLeavesOutIsAmongTheDetails) {
-  const std::vector<std::string> arguments{treloar, "--compare", "--bootstrap", "5"};
+  const std::vector<std::string> arguments{treloar_csv, "--compare", "--bootstrap", "5"};
   std::vector<std::string> with_details = arguments;
   with_details.push_back("--details");
   const Ended answer = fit(arguments), details = fit(with_details);
@@ -174,7 +174,7 @@ TEST_F(FitProgram, WhatTheAnswerLeavesOutIsAmongTheDetails) {
 }
 
 TEST_F(FitProgram, ModelsStandSideBySide) {
-  const Ended run = fit({treloar, "--compare", "--weights", "tests", "--residual", "absolute", "--json"});
+  const Ended run = fit({treloar_csv, "--compare", "--weights", "tests", "--residual", "absolute", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   const json result = json::parse(run.out);
   ASSERT_EQ(result["comparison"].size(), 5u);
@@ -185,14 +185,14 @@ TEST_F(FitProgram, ModelsStandSideBySide) {
   EXPECT_LT(three["left_out_mean_relative_deviation"], result["comparison"][2]["left_out_mean_relative_deviation"]);
   EXPECT_EQ(three["stability"]["stable_throughout"], true);
   EXPECT_EQ(result["tests"].size(), 3u);
-  const Ended table = fit({treloar, "--compare"});
+  const Ended table = fit({treloar_csv, "--compare"});
   for (const char* part : {"neo-hooke", "mooney-rivlin", "ogden3", "AICc", "left out"})
     EXPECT_THAT(table.out, HasSubstr(part));
 }
 
 TEST_F(FitProgram, OneModelIsPickedAndItsStableRangePrinted) {
-  const Ended run = fit({treloar, "--model", "mooney-rivlin", "--unconstrained", "--residual", "absolute", "--stable",
-                         "0.5:9", "--json"});
+  const Ended run = fit({treloar_csv, "--model", "mooney-rivlin", "--unconstrained", "--residual", "absolute",
+                         "--stable", "0.5:9", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   const json result = json::parse(run.out);
   const json& best = result["minima"][0];
@@ -203,7 +203,7 @@ TEST_F(FitProgram, OneModelIsPickedAndItsStableRangePrinted) {
   EXPECT_NEAR(uniaxial["high"].get<double>(),
               std::min(9.0, std::sqrt(-best["C10_Pa"].get<double>() / best["C01_Pa"].get<double>())), 1e-6);
   EXPECT_EQ(result["stability"]["searched_low"], 0.5);
-  EXPECT_THAT(fit({treloar, "--model", "ogden2"}).out, HasSubstr("Drucker-stable"));
+  EXPECT_THAT(fit({treloar_csv, "--model", "ogden2"}).out, HasSubstr("Drucker-stable"));
 }
 
 TEST_F(FitProgram, StandardErrorsOfTheFileWeighThePoints) {
@@ -214,21 +214,21 @@ TEST_F(FitProgram, StandardErrorsOfTheFileWeighThePoints) {
   EXPECT_EQ(result["points"], 76);
   EXPECT_EQ(result["left_out_no_error"], 2);
   EXPECT_EQ(result["sources"][0]["error"], "sem_kPa");
-  EXPECT_EQ(fit({treloar, "--residual", "error"}).code, 2);
+  EXPECT_EQ(fit({treloar_csv, "--residual", "error"}).code, 2);
 }
 
 TEST_F(FitProgram, OptionsThatSayNothingAreRefused) {
   for (const std::string weights : {"planar", "planar=0", "planar=x", "=2", "nowhere=2", "planar=1 2", ""})
-    EXPECT_EQ(fit({treloar, "--weights", weights}).code, 2) << weights;
-  EXPECT_EQ(fit({treloar, "--weights", "planar=2,UT=0.5"}).code, 0);
+    EXPECT_EQ(fit({treloar_csv, "--weights", weights}).code, 2) << weights;
+  EXPECT_EQ(fit({treloar_csv, "--weights", "planar=2,UT=0.5"}).code, 0);
   for (const std::string stable : {"3", "0:2", "1.5:2", "0.5:0.9", "a:b", "0.3:3x"})
-    EXPECT_EQ(fit({treloar, "--stable", stable}).code, 2) << stable;
-  EXPECT_EQ(fit({treloar, "--model", "yeoh"}).code, 2);
-  EXPECT_EQ(fit({treloar, "--loss", "cauchy"}).code, 0);
+    EXPECT_EQ(fit({treloar_csv, "--stable", stable}).code, 2) << stable;
+  EXPECT_EQ(fit({treloar_csv, "--model", "yeoh"}).code, 2);
+  EXPECT_EQ(fit({treloar_csv, "--loss", "cauchy"}).code, 0);
 }
 
 TEST_F(FitProgram, ThePageOfTheFormatNamesEveryKey) {
-  const Ended run = fit({treloar, "--compare", "--model", "mooney-rivlin", "--json"});
+  const Ended run = fit({treloar_csv, "--compare", "--model", "mooney-rivlin", "--json"});
   expect_documented(json::parse(run.out), text_of(PERCAL_DATA "/../docs/formats/fit.md"));
 }
 

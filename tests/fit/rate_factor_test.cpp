@@ -10,10 +10,9 @@
 namespace percal {
 namespace {
 
+using test::gel;
 using test::NormalNumbers;
 using testing::HasSubstr;
-
-constexpr Ogden gel{.mu = 11640, .alpha = 9};
 
 CurveData noisy(const Ogden& solid, unsigned seed) {
   NormalNumbers normal(seed);

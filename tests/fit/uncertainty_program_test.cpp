@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const std::string slow = PERCAL_DATA "/synthetic/gelatin_12wt_quasistatic.csv";
 const std::string fast = PERCAL_DATA "/synthetic/gelatin_12wt_highrate.csv";
-const std::string treloar = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
+const std::string treloar_file = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
 
 class UncertaintyProgram : public test::Program {
  protected:

@@ -13,10 +13,9 @@
 namespace percal {
 namespace {
 
+using test::gel;
 using test::NormalNumbers;
 using testing::HasSubstr;
-
-constexpr Ogden gel{.mu = 11640, .alpha = 9};
 
 CurveData noisy(const test::Stretches& stretches, const test::Noise& noise, unsigned seed = 7) {
   NormalNumbers normal(seed);

@@ -18,7 +18,7 @@ struct InPlane {
 };
 using Motion = std::function<InPlane(double)>;
 
-InPlane turned(double angle, const InPlane& F) {
+InPlane turned_field(double angle, const InPlane& F) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * F.xx - s * F.zx, c * F.xz - s * F.zz, s * F.xx + c * F.zx, s * F.xz + c * F.zz};
 }
@@ -107,7 +107,7 @@ Lateness lateness(const std::function<double(double first_time, double step)>& d
 }
 
 const Motion pull = [](double t) { return InPlane{1 / (1 + 0.6 * t), 0, 0, 1 + 0.6 * t}; };
-const Motion turning_pull = [](double t) { return turned(0.8 * t, pull(t)); };
+const Motion turning_pull = [](double t) { return turned_field(0.8 * t, pull(t)); };
 const Motion shear = [](double t) { return InPlane{1, 1.2 * t, 0, 1}; };
 
 // The limit is passed at any moment of a step with the same chance. What is left of the half step's linear guess is of the order

@@ -64,14 +64,14 @@ TEST(Rates, DistortedElementsEndNoRunOfEither) {
   }
 }
 
-struct Sample {
+struct RatesSample {
   std::vector<double> depths;
   double worst_closure = 0;
   double error() const { return sample_deviation(depths) / std::sqrt(static_cast<double>(depths.size())); }
 };
-Sample sample(Problem p, int rates, int replicates) {
+RatesSample sample(Problem p, int rates, int replicates) {
   p.rates = rates;
-  Sample result;
+  RatesSample result;
   for (int k = 0; k < replicates; ++k) {
     p.speed_factor = replicate_speed_factor(k);
     const ImpactResult run = run_impact(p);
@@ -87,7 +87,7 @@ class SlowRates : public testing::TestWithParam<int> {};
 TEST_P(SlowRates, GiveOneMeanDepthWithinTheScatter) {
   const int replicates = GetParam() < 10 ? 30 : 12;
   const Problem p = setting_s(GetParam());
-  const Sample one = sample(p, 1, replicates), two = sample(p, 2, replicates);
+  const RatesSample one = sample(p, 1, replicates), two = sample(p, 2, replicates);
   const double difference = mean(two.depths) - mean(one.depths), error = std::hypot(one.error(), two.error());
   std::printf("| %d | %d | %.2f ± %.2f | %.2f ± %.2f | %+.2f ± %.2f |\n", GetParam(), replicates, mean(one.depths),
               one.error(), mean(two.depths), two.error(), difference, error);

@@ -21,7 +21,7 @@ using State = Eigen::Matrix<double, 5, 1>;  // F_rr, F_rz, F_zr, F_zz, hoop stre
 constexpr double along_r[4] = {-0.5, 0.5, 0.5, -0.5}, along_z[4] = {-0.5, -0.5, 0.5, 0.5},
                  hourglass_mode[4] = {1, -1, 1, -1};
 
-struct Solid {
+struct SteppedSolid {
   double mu = 1, bulk = 50, alpha = 8.5, hourglass = 0.5;
 };
 struct Shape {
@@ -33,7 +33,7 @@ constexpr double plane = std::numeric_limits<double>::infinity();
 
 scalar::Gradient<double> gradient(const State& F) { return {F[0], F[1], F[2], F[3], F[4]}; }
 
-State piola(const State& at, const Solid& solid) {
+State piola(const State& at, const SteppedSolid& solid) {
   const auto F = gradient(at);
   const auto s = scalar::stretches(F);
   const auto t = scalar::isochoric_stress(scalar::isochoric_powers(F, s, solid.alpha), 2 * solid.mu / solid.alpha);
@@ -44,7 +44,7 @@ State piola(const State& at, const Solid& solid) {
 }
 
 // Stiffness of one element over (u_r, u_z) of its four corners; the material part by central differences.
-Eigen::Matrix<double, 8, 8> stiffness(const State& at, const Solid& solid, const Shape& shape) {
+Eigen::Matrix<double, 8, 8> stiffness(const State& at, const SteppedSolid& solid, const Shape& shape) {
   Eigen::Matrix<double, 5, 5> tangent;
   for (int k = 0; k < 5; ++k) {
     State above = at, below = at;
@@ -70,7 +70,7 @@ Eigen::Matrix<double, 8, 8> stiffness(const State& at, const Solid& solid, const
 }
 
 // 1/dt^2 as the kernel takes it.
-double bound(const State& at, const Solid& solid, const Shape& shape, bool at_axis) {
+double bound(const State& at, const SteppedSolid& solid, const Shape& shape, bool at_axis) {
   const auto F = gradient(at);
   const auto s = scalar::stretches(F);
   const auto g = scalar::isochoric_powers(F, s, solid.alpha);
@@ -158,7 +158,7 @@ double step_over_true(double largest_square_frequency, double inverse_square_ste
 
 double worst_away_from_the_axis(double alpha, double aspect, double radius, int count, unsigned seed = 20) {
   RandomStates states(seed);
-  const Solid solid{.alpha = alpha};
+  const SteppedSolid solid{.alpha = alpha};
   const Shape shape{aspect, 1, radius};
   double worst = 0;
   for (int k = 0; k < count; ++k) {
@@ -200,7 +200,7 @@ TEST(SlowStepBound, IsNeverLongerThanTheLimitInTwentyThousandStates) {
 // term is the mass of the second column on the nodes between. So the two are taken together: no element outside the pair lends them its mass.
 double worst_of_the_axis_pair(double alpha, double aspect, int count) {
   RandomStates states(7);
-  const Solid solid{.alpha = alpha};
+  const SteppedSolid solid{.alpha = alpha};
   const Shape first{aspect, 1, 0.5 * aspect}, second{aspect, 1, 1.5 * aspect};
   const int of_first[4] = {0, 1, 4, 3}, of_second[4] = {1, 2, 5, 4};
   double worst = 0;
@@ -249,7 +249,7 @@ TEST(SlowStepBound, IsNeverLongerThanTheLimitInTwentyThousandStatesAtTheAxis) {
 TEST(StepBound, IsTheClosedFormInTheUndeformedState) {
   State rest;
   rest << 1, 0, 0, 1, 1;
-  const Solid solid;
+  const SteppedSolid solid;
   const Shape shape{0.5, 0.25, 3};
   EXPECT_NEAR(bound(rest, solid, shape, false), (50 + 4.0 / 3) * (4 + 16 + 1.0 / 36), 1e-5);
   EXPECT_NEAR(bound(rest, solid, shape, true), (50 + 4.0 / 3) * (4 + 16 + 1.0 / 144), 1e-5);

@@ -15,7 +15,7 @@ const Table values{.caption = "Values",
                    .rows = {{"", "value", "remark"}, {"mu", "3.4 MPa", "held"}, {"alpha \u00b1", "-12", "found"}},
                    .notes = {"By hand."}};
 
-Page made_up_page() {
+Page gel_page() {
   return {.title = "Gel",
           .summary = "mu is 3.4 MPa.",
           .sections = {{"answer", "What came out", {values, List{{"it slips"}, Tone::warning}}, Detail::answer},
@@ -23,7 +23,7 @@ Page made_up_page() {
 }
 
 TEST(PageAsText, TheAnswerComesAloneAndTheRestWhereItIsAskedFor) {
-  const std::string answer = as_text(made_up_page(), {}), all = as_text(made_up_page(), {.detail = Detail::more});
+  const std::string answer = as_text(gel_page(), {}), all = as_text(gel_page(), {.detail = Detail::more});
   EXPECT_THAT(answer, AllOf(HasSubstr("mu is 3.4 MPa."), HasSubstr("What came out"), Not(HasSubstr("Three runs."))));
   EXPECT_THAT(all, AllOf(HasSubstr("What came out"), HasSubstr("Three runs.")));
 }
@@ -64,9 +64,9 @@ TEST(PageAsText, AnyColumnOfWordsIsFoldedAndColumnsOfNumbersAreNot) {
 }
 
 TEST(PageAsText, ColoursAreThereWhereTheyAreAskedFor) {
-  const std::string coloured = as_text(made_up_page(), {.colour = true});
+  const std::string coloured = as_text(gel_page(), {.colour = true});
   EXPECT_THAT(coloured, AllOf(HasSubstr("\033[1mGel\033[0m"), HasSubstr("\033[33mwarning:\033[0m it slips")));
-  EXPECT_THAT(as_text(made_up_page(), {}), Not(HasSubstr("\033")));
+  EXPECT_THAT(as_text(gel_page(), {}), Not(HasSubstr("\033")));
 }
 
 }  // namespace

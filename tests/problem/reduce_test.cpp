@@ -31,7 +31,7 @@ strain = 0.7
 
 Scene skin_scene() { return parse_scene(skin, "skin.toml"); }
 
-std::string key(const Scene& scene) { return evaluation_key(reduce(scene).problem, "level"); }
+std::string key_of(const Scene& scene) { return evaluation_key(reduce(scene).problem, "level"); }
 
 // The reason given for leaving `what` out; empty where it is not on the list.
 std::string why_left_out(const Reduction& reduction, const std::string& what) {
@@ -70,19 +70,19 @@ width = "5000 nm"
 strain = 0.7
 )",
                                   "other.toml");
-  EXPECT_EQ(key(other), key(skin_scene()));
+  EXPECT_EQ(key_of(other), key_of(skin_scene()));
 }
 
 TEST(Reduce, TheTrueModulusIsTheSameProblemAsLsDynasMu1) {
   Scene other = skin_scene();
   other.target.convention = ModulusConvention::true_shear;
   other.target.mu_as_given = 63.75e6;
-  EXPECT_EQ(key(other), key(skin_scene()));
+  EXPECT_EQ(key_of(other), key_of(skin_scene()));
 }
 
 TEST(Reduce, GoldIntoSkinAndSteelIntoGelatinAreOneProblem) {
   const std::string folder = std::string(PERCAL_DATA) + "/guha2009/";
-  EXPECT_EQ(key(read_scene(folder + "gold.toml")), key(read_scene(folder + "steel.toml")));
+  EXPECT_EQ(key_of(read_scene(folder + "gold.toml")), key_of(read_scene(folder + "steel.toml")));
 }
 
 TEST(Reduce, RoundsToTwelveDigits) {

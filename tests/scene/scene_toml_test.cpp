@@ -10,11 +10,13 @@
 #include "percal/scene/profile.hpp"
 #include "percal/text/file.hpp"
 #include "scene/refusal.hpp"
+#include "support/replaced.hpp"
 
 namespace percal {
 namespace {
 
 using test::refusal;
+using test::replaced;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -25,12 +27,6 @@ const std::string target =
 // The scene with `line` put in at the end of one table.
 std::string with_particle(const std::string& line) { return particle + line + "\n" + target; }
 std::string with_target(const std::string& line) { return particle + target + line + "\n"; }
-
-std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.substr(0, at) + to + text.substr(at + from.size());
-}
 
 TEST(SceneToml, TheShortestSceneHasTheDefaults) {
   const Scene scene = parse_scene(particle + target, "scene.toml");

@@ -9,6 +9,8 @@
 
 namespace percal::test {
 
+inline constexpr Ogden gel{.mu = 11640, .alpha = 9};
+
 // Standard normal numbers, the same with every standard library (Box and Muller).
 class NormalNumbers {
  public:
