@@ -7,12 +7,7 @@ endif()
 option(PERCAL_UNITY "Compile the sources of a folder as one unit" ${percal_unity_default})
 
 # Files that share a name with another file of their folder.
-set(PERCAL_APART
-  identify/tables identify/result_json identify/page/model identify/page/search
-  study/study_json study/omissions_json calibrate/hypothesis_findings)
-list(TRANSFORM PERCAL_APART PREPEND lib/percal/)
-list(APPEND PERCAL_APART study_error_vs_time study_omissions study_extremes
-  acceptance/disk_test observe/picture_test)
+set(PERCAL_APART acceptance/disk_test observe/picture_test)
 list(TRANSFORM PERCAL_APART APPEND .cpp)
 
 # Called in the folder that defines the targets, when they have all their sources.
