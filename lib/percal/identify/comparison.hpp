@@ -6,6 +6,8 @@
 
 namespace percal {
 
+inline constexpr double kPa = 1e3, MPa = 1e6, cm = 1e-2, um = 1e-6;  // units of the tables
+
 struct IdentifyJob;
 struct Identification;
 struct PredictionResult;

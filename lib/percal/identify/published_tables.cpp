@@ -10,8 +10,6 @@
 namespace percal {
 namespace {
 
-constexpr double kPa = 1e3, MPa = 1e6, cm = 1e-2, um = 1e-6;
-
 void add_ridge_tables(const IdentifyJob& job, const Identification& found, std::vector<ComparedNumbers>& tables) {
   const auto* scan = std::get_if<AlphaScan>(&job.alpha);
   if (!scan) return;

@@ -11,8 +11,6 @@
 namespace percal {
 namespace {
 
-constexpr double kPa = 1e3, MPa = 1e6, cm = 1e-2, um = 1e-6;
-
 std::optional<double> reference(const IdentifyJob& job, const std::string& key, double unit) {
   const auto found = job.reference.find(key);
   return found == job.reference.end() ? std::nullopt : std::optional(found->second / unit);

@@ -26,7 +26,7 @@ Table moduli_table(const Json& result) {
   return table;
 }
 
-Section result_section(const Json& result) {
+Section factor_section(const Json& result) {
   Section section{.id = "result", .title = "What came out", .blocks = {}, .detail = Detail::answer};
   const Json& sources = list(result, "sources");
   const auto curve_words = [&](std::size_t k, const char* key, const char* rate) {
@@ -41,7 +41,7 @@ Section result_section(const Json& result) {
   return section;
 }
 
-Section curves_section(const Json& result) {
+Section pair_section(const Json& result) {
   Section section{.id = "curves", .title = "The curves over their points", .blocks = {}};
   const double alpha = number_or(at(result, "alpha"), "value", NAN);
   std::vector<PageCurve> curves;
@@ -97,7 +97,7 @@ Page rate_factor_page(const Json& result) {
       fmt::format("The stress at the high rate is {} times that at the low rate ({} interval {}).",
                   shown(number(factor, "value")), level_words(result), interval_words(factor, dimension::none));
   for (auto section :
-       {result_section, findings_section, curves_section, alone_section, provenance_section, input_section})
+       {factor_section, findings_section, pair_section, alone_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }

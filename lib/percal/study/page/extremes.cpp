@@ -114,7 +114,7 @@ std::string notes_of(const Json& cell) {
   return joined(notes, "; ");
 }
 
-Section answer_section(const Json& result) {
+Section endings_section(const Json& result) {
   Section section{.id = "outcomes", .title = "How the cells ended", .blocks = {}, .detail = Detail::answer};
   add_sentence(
       section,
@@ -247,7 +247,7 @@ Page extremes_page(const Json& result) {
       "{} cells, {} with troubles; the worst energy error of a run that is not unstable is {}. The longest took {}.",
       cells.size(), shown(number(summary, "cells_with_troubles"), 9), percent(number(summary, "worst_closure"), 2),
       cpu_time(longest));
-  for (auto section : {answer_section, cells_section, provenance_section, input_section}) add(page, section(result));
+  for (auto section : {endings_section, cells_section, provenance_section, input_section}) add(page, section(result));
   return page;
 }
 
