@@ -192,7 +192,7 @@ TEST_F(Impact, PrintsTheAnswerOnOneScreenAndTheRestWithDetails) {
   EXPECT_THAT(answer, AllOf(HasSubstr("Impact: tungsten carbide into layer"), HasSubstr("standard error"),
                             HasSubstr("2 mu/alpha"), HasSubstr("--accuracy 2%"), HasSubstr("layer.out/result.json")));
   EXPECT_LE(std::count(answer.begin(), answer.end(), '\n'), 24);
-  for (const char* there : {"eroded elements", "What was left out", "Replicates differ by", "processor time of the runs"}) {
+  for (const char* there : {"eroded elements", "What was left out", "Replicates differ by", "Provenance and cost"}) {
     EXPECT_THAT(all, HasSubstr(there));
     EXPECT_THAT(answer, testing::Not(HasSubstr(there)));
   }

@@ -117,7 +117,7 @@ std::vector<PinnedRun> pinned_runs() {
 
 std::string numbers_of(const EnergyLedger& energy) {
   std::string text;
-  for (const auto& [key, share] : energy_terms) text += fmt::format(" {:a}", energy.*share);
+  for (const auto& [key, share, words] : energy_terms) text += fmt::format(" {:a}", energy.*share);
   return text;
 }
 
