@@ -185,7 +185,7 @@ class Impact:
 
 def impact_of(answer):
     return Impact(answer["outcome"], answer["depth_m"], answer["depth_spread_m"], answer["depth_standard_error_m"], answer["elements"], answer["steps"],
-                  answer["element_steps"], answer["mu_true_Pa"], answer["energy"], answer["energy_worst_closure"], answer["warnings"],
+                  answer["element_steps"], answer["mu_true_Pa"], answer["energy"], answer["energy_worst_closure"], answer["findings"],
                   [run_of(run) for run in answer["runs"]])
 
 
