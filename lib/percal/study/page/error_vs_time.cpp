@@ -255,7 +255,7 @@ Json error_vs_time_to_json(const Scene& scene, const Ladder& ladder, const Error
 }
 
 std::string error_vs_time_csv(const Json& result) {
-  std::vector<CsvColumn> columns;
+  std::vector<ResultColumn> columns;
   for (const char* key : {"elements_per_radius", "elements", "time_step_factor", "arithmetic", "replicates", "outcome",
                           "depth_m", "depth_spread_m", "depth_standard_error_m", "fitted_depth_m", "uncertainty_m"})
     columns.push_back({key, key});

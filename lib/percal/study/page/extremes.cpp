@@ -227,11 +227,11 @@ Json extremes_to_json(const std::vector<CellResult>& results, const Cost& cost) 
 }
 
 std::string extremes_csv(const Json& result) {
-  std::vector<CsvColumn> columns{{"group", "group", CsvColumn::free_text}, {"cell", "cell", CsvColumn::free_text}};
+  std::vector<ResultColumn> columns{{"group", "group", ResultColumn::free_text}, {"cell", "cell", ResultColumn::free_text}};
   for (const char* key :
        {"outcome", "tip_over_radius", "energy_closure", "smallest_jacobian", "smallest_step", "mach", "steps", "cpu_s"})
     columns.push_back({key, key});
-  columns.push_back({"notes", "notes", CsvColumn::free_text});
+  columns.push_back({"notes", "notes", ResultColumn::free_text});
   std::vector<Json> rows = list(result, "cells");
   for (Json& row : rows) row["notes"] = notes_of(row);
   return as_csv(columns, rows);

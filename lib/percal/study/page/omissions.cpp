@@ -152,7 +152,7 @@ Json omissions_to_json(const Scene& scene, const Omissions& audit, const Cost& c
 }
 
 std::string omissions_csv(const Json& result) {
-  std::vector<CsvColumn> columns{{"name", "name", CsvColumn::free_text}};
+  std::vector<ResultColumn> columns{{"name", "name", ResultColumn::free_text}};
   for (const char* key :
        {"kind", "outcome", "depth_m", "depth_spread_m", "depth_standard_error_m", "change", "change_standard_error",
         "effect", "cost_ratio", "replicates", "elements", "steps", "element_steps", "cpu_s"})

@@ -20,13 +20,13 @@ namespace {
 
 using page::Json;
 
-std::string cell_of(const Json& row, const CsvColumn& column) {
+std::string cell_of(const Json& row, const ResultColumn& column) {
   const Json* value = &row;
   std::istringstream path(column.path);
   for (std::string key; std::getline(path, key, '/');) value = &page::at(*value, key);
   if (value->is_number_float()) return fmt::format("{:.9g}", value->get<double>());
   if (value->is_string())
-    return column.form == CsvColumn::free_text ? csv_quoted(value->get<std::string>()) : value->get<std::string>();
+    return column.form == ResultColumn::free_text ? csv_quoted(value->get<std::string>()) : value->get<std::string>();
   return value->is_null() ? "" : value->dump();
 }
 
@@ -74,13 +74,13 @@ Json emptied(Json object) {
   return object;
 }
 
-std::string as_csv(const std::vector<CsvColumn>& columns, const std::vector<Json>& rows) {
+std::string as_csv(const std::vector<ResultColumn>& columns, const std::vector<Json>& rows) {
   std::vector<std::string> cells;
-  for (const CsvColumn& column : columns) cells.push_back(column.name);
+  for (const ResultColumn& column : columns) cells.push_back(column.name);
   std::string csv = joined(cells, ",") + "\n";
   for (const Json& row : rows) {
     cells.clear();
-    for (const CsvColumn& column : columns) cells.push_back(cell_of(row, column));
+    for (const ResultColumn& column : columns) cells.push_back(cell_of(row, column));
     csv += joined(cells, ",") + "\n";
   }
   return csv;

@@ -29,11 +29,11 @@ page::Json rung_to_json(const Rung& rung);  // without errors
 page::Json emptied(page::Json object);
 
 // A column of a CSV file: where its cells stand in a row of the result, "error/low". Free text is quoted.
-struct CsvColumn {
+struct ResultColumn {
   std::string name, path;
   enum { word_or_number, free_text } form = word_or_number;
 };
-std::string as_csv(const std::vector<CsvColumn>& columns, const std::vector<page::Json>& rows);
+std::string as_csv(const std::vector<ResultColumn>& columns, const std::vector<page::Json>& rows);
 
 // --- reading ------------------------------------------------------------------------------------------------------
 
