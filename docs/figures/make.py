@@ -31,7 +31,7 @@ def page(result):
     cost = result["cost"]
     head = f"""# Guha 2009: the chain from gelatin shots to skin
 
-Written by `docs/figures/make.py` from the result of `percal identify data/guha2009/skin.toml` (percal {result['percal']}, {result['isa']}). Evaluations: {cost['runs']} run
+Written by `docs/figures/make.py` from the result of `percal identify data/guha2009/skin.toml` (percal {result['percal']}, {cost['isa']}). Evaluations: {cost['runs']} run
 and {cost['reused']} from the store. The figures differ in their last digits between instruction levels, and by the scatter given beside them.
 
 """

@@ -23,14 +23,14 @@ def study(program, name, text):
     ladder = [word for option in ("meshes", "replicates") if getattr(program.options, option) for word in (f"--{option}", getattr(program.options, option))]
     folder = program.folder / f"{name}.out"
     result = program.ask("study", program.scene(text, name), "--error-vs-time", "--threads", "1", "--out", folder, *program.kept(), *ladder)
-    svg = folder / "error_vs_time.svg"
+    svg = folder / "error_against_time.svg"
     return result, svg.read_text() if svg.exists() else None
 
 
 def rungs(result):
     rows = []
     for rung in result["meshes"]:
-        error, means = rung.get("error", {}), rung.get("error_of_mean_of", {})
+        error, means = rung["error"] or {}, rung["error_of_mean_of"] or {}
         rows.append([rung["elements_per_radius"], rung["elements"], um(rung["depth_m"]) if rung["depth_m"] else rung["outcome"], um(rung["depth_spread_m"]), in_percent(error.get("value")),
                      f"{in_percent(error.get('low'))} to {in_percent(error.get('high'))}", *(in_percent(means.get(c, {}).get("value")) for c in ("1", "3", "10")), f"{rung['steps']:.0f}",
                      f"{rung['cpu_s']:.3g}"])

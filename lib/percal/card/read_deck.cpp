@@ -46,12 +46,6 @@ std::vector<std::string> split_at(char separator, const std::string& line) {
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(" \t\r") == std::string::npos; }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 std::string upper_without_blanks(const std::string& text) {
   std::string result;
   for (const char letter : text) {

@@ -33,7 +33,6 @@ Deck parse_deck(const std::string& text, const std::string& comment, char keywor
 
 std::vector<std::string> split_at(char separator, const std::string& line);
 bool is_blank(const std::string& text);
-std::string trimmed(const std::string& text);
 std::string upper_without_blanks(const std::string& text);
 
 // The number in a field; a blank one is 0. Throws BadInput with file, line and the field's name.

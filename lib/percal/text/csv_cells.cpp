@@ -81,12 +81,6 @@ CsvColumn split_suffix(const std::string& header) {
 
 }  // namespace
 
-std::string trimmed(const std::string& text) {
-  constexpr const char* blanks = " \t\v\f";
-  const auto first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 ParsedNumber parse_number(const std::string& cell, bool decimal_comma) {
   if (cell.empty()) return {std::nullopt, "an empty cell; accepted: a number"};
   std::string text = cell;

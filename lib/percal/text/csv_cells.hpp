@@ -9,9 +9,6 @@
 
 namespace percal {
 
-// Without the blanks at both ends.
-std::string trimmed(const std::string& text);
-
 struct ParsedNumber {
   std::optional<double> value;  // finite
   std::string fault;            // why there is none: "'1.2.3'; accepted: a number"

@@ -126,7 +126,7 @@ std::string in_ascii(std::string_view text) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\t'; }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view stripped(std::string_view text) {
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
   return text;
@@ -249,8 +249,8 @@ double shifted(std::string_view digits, int ten) {
 
 Quantity parse_unit(std::string_view unit) {
   if (unit.size() > longest_text) refuse("unit " + in_quotes(unit) + " is too long");
-  const std::string ascii = in_ascii(trimmed(unit));
-  const std::string_view text = trimmed(ascii);
+  const std::string ascii = in_ascii(stripped(unit));
+  const std::string_view text = stripped(ascii);
   if (text.empty() || text == "-" || text == "1") return {1, dimension::none};
   const Scale scale = UnitParser(text).parse();
   const double value = scale.mantissa * shifted("1", scale.ten);
@@ -260,7 +260,7 @@ Quantity parse_unit(std::string_view unit) {
 
 Quantity parse_quantity(std::string_view written) {
   if (written.size() > longest_text) refuse(in_quotes(written) + " is too long for a number with a unit");
-  std::string_view text = trimmed(written);
+  std::string_view text = stripped(written);
   if (text.empty()) refuse("an empty text is no number");
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   const char* begin = text.data();
@@ -272,7 +272,7 @@ Quantity parse_quantity(std::string_view written) {
     refuse(in_quotes(written) + " does not begin with a finite number");
   }
   const auto used = static_cast<std::size_t>(end - begin);
-  const std::string_view rest = trimmed(text.substr(used));
+  const std::string_view rest = stripped(text.substr(used));
   if (rest.starts_with(',')) refuse(in_quotes(written) + ": write the decimal mark as a point");
   if (error != std::errc{}) refuse(in_quotes(written) + " is out of the range of numbers");
 

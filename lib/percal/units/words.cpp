@@ -58,6 +58,12 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
+std::string trimmed(const std::string& text) {
+  constexpr const char* blanks = " \t\r\v\f";
+  const auto first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string result = "\"";

@@ -16,6 +16,9 @@ std::optional<std::string> nearest_word(std::string_view word, const std::vector
 // The letters A to Z made small, all others as they are.
 std::string lower_case(std::string_view text);
 
+// Without the blanks at both ends.
+std::string trimmed(const std::string& text);
+
 // "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -8,6 +8,7 @@
 #include "percal/card/card_comments.hpp"
 #include "percal/card/card_text.hpp"
 #include "percal/card/read_deck.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {

@@ -1,3 +1,4 @@
+
 #include "percal/card/ansys/ansys.hpp"
 
 #include <fmt/core.h>
@@ -9,6 +10,7 @@
 #include "percal/card/card_comments.hpp"
 #include "percal/card/card_text.hpp"
 #include "percal/card/read_deck.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {

@@ -9,6 +9,7 @@
 #include "percal/card/card_text.hpp"
 #include "percal/card/lsdyna/lsdyna.hpp"
 #include "percal/card/read_deck.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {

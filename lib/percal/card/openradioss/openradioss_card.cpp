@@ -6,6 +6,7 @@
 #include "percal/card/card_text.hpp"
 #include "percal/card/openradioss/openradioss.hpp"
 #include "percal/card/read_deck.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
