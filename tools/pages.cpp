@@ -84,8 +84,7 @@ void deliver(const Json& result, const std::string& folder, const Common& common
   const auto style = terminal_style(common.details ? page::Detail::more : page::Detail::answer);
   fmt::print("{}", page::as_text(page_of_result(result, "this result"), style));
   if (!folder.empty())
-    fmt::print("{}{}\n", file,
-               common.details ? "" : " has all of it; --details prints it, percal report shows it as a page");
+    fmt::print("{}: the whole result{}\n", file, common.details ? "" : "; see --details, percal report");
 }
 
 Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,

@@ -59,7 +59,7 @@ accuracy = 0.01
 constexpr const char* shots = "speed_m_s,depth_cm\n50,2.1\n60,2.7\n70,3.1\n80,3.8\n90,4.2\n";
 
 // What depends on the run and not on the problem.
-json without_cost(json result) {
+json without_what_it_took(json result) {
   result.erase("cost");
   for (json& emulator : result["emulators"]) {
     emulator.erase("runs");
@@ -90,7 +90,7 @@ TEST_F(SlowInterruptedCalibration, EndsAsIfNothingHadHappened) {
   const Ended whole = run(command("whole", 2));
   ASSERT_EQ(whole.code, 0) << whole.err;
   const auto took = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begin);
-  const json expected = without_cost(found("whole"));
+  const json expected = without_what_it_took(found("whole"));
   const long all = rows("whole");
 
   std::mt19937 random(20090401);
@@ -109,7 +109,7 @@ TEST_F(SlowInterruptedCalibration, EndsAsIfNothingHadHappened) {
   EXPECT_GE(kills, 5) << "it ended before it could be killed";
   ended = run(command("killed", 2));
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_EQ(without_cost(found("killed")), expected);
+  EXPECT_EQ(without_what_it_took(found("killed")), expected);
   EXPECT_EQ(rows("killed"), all) << "no run beside those of the uninterrupted one";
   EXPECT_EQ(found("killed")["cost"]["runs"].get<long>() + stored, all) << "something finished was run again";
 }
@@ -117,7 +117,7 @@ TEST_F(SlowInterruptedCalibration, EndsAsIfNothingHadHappened) {
 TEST_F(SlowInterruptedCalibration, OneThreadOrTwoGiveTheSameBits) {
   ASSERT_EQ(run(command("one", 1)).code, 0);
   ASSERT_EQ(run(command("two", 2)).code, 0);
-  EXPECT_EQ(without_cost(found("one")), without_cost(found("two")));
+  EXPECT_EQ(without_what_it_took(found("one")), without_what_it_took(found("two")));
 }
 
 TEST_F(SlowInterruptedCalibration, ASignalLeavesNothingHalfWrittenAndSaysHowToGoOn) {
