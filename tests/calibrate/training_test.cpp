@@ -7,7 +7,7 @@
 
 #include "calibrate/gel_job.hpp"
 #include "percal/campaign/sphere_runs.hpp"
-#include "percal/observe/result_json.hpp"
+#include "percal/observe/stored_run.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
