@@ -216,7 +216,7 @@ TEST(Uncertainty, TheSameSeedGivesTheSameBits) {
 }
 
 TEST(Uncertainty, PointsOnTheModelHaveNoScatterAndNoIntervals) {
-  const auto exact = of(noisy({}, {}), {});
+  const auto exact = of(noisy(test::Stretches{}, {}), {});
   EXPECT_TRUE(exact.minima.empty());
   EXPECT_THAT(all(exact.findings), HasSubstr("exactly"));
   const auto few = of(noisy({.points = 2, .low = 0.7, .high = 1.2}, {.relative = 0.02}), {});
