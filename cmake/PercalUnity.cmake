@@ -6,10 +6,6 @@ if(CMAKE_BUILD_TYPE STREQUAL Release)
 endif()
 option(PERCAL_UNITY "Compile the sources of a folder as one unit" ${percal_unity_default})
 
-# Files that share a name with another file of their folder.
-set(PERCAL_APART acceptance/disk_test observe/picture_test)
-list(TRANSFORM PERCAL_APART APPEND .cpp)
-
 # Called in the folder that defines the targets, when they have all their sources.
 function(percal_compile_folders_as_units)
   foreach(target ${ARGN})
@@ -18,9 +14,6 @@ function(percal_compile_folders_as_units)
       get_filename_component(folder ${source} DIRECTORY)
       string(MAKE_C_IDENTIFIER "${target}/${folder}" group)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
-      if(source IN_LIST PERCAL_APART OR source MATCHES "^(study|identify|calibrate)/.*_test")
-        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-      endif()
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${PERCAL_UNITY} UNITY_BUILD_MODE GROUP)
   endforeach()

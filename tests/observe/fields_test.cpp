@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "impact/setting_s.hpp"
+#include "observe/crater.hpp"
 #include "observe/vtu_reader.hpp"
 #include "percal/base/error.hpp"
 #include "percal/impact/march/march.hpp"
@@ -18,15 +18,7 @@ namespace percal {
 namespace {
 
 namespace fs = std::filesystem;
-const Scales scales{.radius = 2e-6, .speed = 300, .target_density = 1100};
 const double pressure_unit = 1100.0 * 300 * 300;
-
-// Ten radii of travel into a layer of two.
-Problem crater() {
-  Problem p = setting_s(5);
-  p.end_time = 5;
-  return p;
-}
 
 class Fields : public testing::Test {
  protected:

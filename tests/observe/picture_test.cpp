@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "impact/polygons.hpp"
-#include "impact/setting_s.hpp"
+#include "observe/crater.hpp"
 #include "percal/base/error.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/plot/gnuplot.hpp"
@@ -13,8 +13,9 @@
 namespace percal {
 namespace {
 
+using test::crater;
+using test::scales;
 using testing::HasSubstr;
-const Scales scales{.radius = 2e-6, .speed = 300, .target_density = 1100};
 
 Frame last_frame(const Problem& problem) {
   struct Last : FrameObserver {
@@ -24,12 +25,6 @@ Frame last_frame(const Problem& problem) {
   } last;
   run_impact(problem, last);
   return last.frame;
-}
-
-Problem crater() {
-  Problem p = setting_s(5);
-  p.end_time = 5;
-  return p;
 }
 
 std::size_t count(const std::string& text, const std::string& what) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "percal/plot/palette.hpp"
 
 namespace percal {
 namespace {

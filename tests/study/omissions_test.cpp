@@ -22,7 +22,7 @@ using testing::IsEmpty;
 using testing::Not;
 
 Scene sample(const std::string& name) { return read_scene(PERCAL_DATA "/guha2009/" + name); }
-Scene gold() { return sample("gold.toml"); }
+Scene gold_sample() { return sample("gold.toml"); }
 
 Evaluation stopped_at(double depth, double cpu_seconds = 1) {
   Evaluation evaluation;
@@ -63,7 +63,7 @@ std::vector<std::string> names(const Omissions& audit) {
 }
 
 TEST(Omissions, EverythingThatTheGoldSceneLeavesOutIsSwitchedOnOnce) {
-  const Omissions audit = audit_omissions(gold(), 5, nothing_matters);
+  const Omissions audit = audit_omissions(gold_sample(), 5, nothing_matters);
   EXPECT_THAT(
       names(audit),
       testing::UnorderedElementsAre(
@@ -76,7 +76,7 @@ TEST(Omissions, EverythingThatTheGoldSceneLeavesOutIsSwitchedOnOnce) {
 }
 
 TEST(Omissions, EachVariantIsAnotherProblemThatDiffersInWhatItSays) {
-  const Scene scene = gold();
+  const Scene scene = gold_sample();
   const Reduction baseline = reduce(scene);
   std::set<std::string> keys{evaluation_key(baseline.problem, "any")};
   const OmissionPlan plan = plan_omissions(scene, baseline, std::nullopt);
@@ -98,7 +98,7 @@ TEST(Omissions, EachVariantIsAnotherProblemThatDiffersInWhatItSays) {
 }
 
 TEST(Omissions, AWiderLayerKeepsTheGradingOfItsColumns) {
-  const Scene scene = gold();
+  const Scene scene = gold_sample();
   const OmissionPlan plan = plan_omissions(scene, reduce(scene), std::nullopt);
   const auto growth = [](const Problem& p) {
     const auto x = graded_mesh({.elements_per_radius = p.elements_per_radius,
@@ -115,7 +115,7 @@ TEST(Omissions, AWiderLayerKeepsTheGradingOfItsColumns) {
 }
 
 TEST(Omissions, TheSecondLayerBeginsInTheMiddleOfThePenetrationAndTheTargetStaysAsDeep) {
-  const Omissions audit = audit_omissions(gold(), 5, nothing_matters);
+  const Omissions audit = audit_omissions(gold_sample(), 5, nothing_matters);
   const Problem same = reduce(named(audit, "second layer of the same").variant.scene).problem;
   const Problem stiff = reduce(named(audit, "second layer twice as stiff").variant.scene).problem;
   ASSERT_EQ(same.below.size(), 1u);
@@ -130,7 +130,7 @@ TEST(Omissions, TheSecondLayerBeginsInTheMiddleOfThePenetrationAndTheTargetStays
 
 TEST(Omissions, AnEffectIsFoundWithItsSizeAndComesFirst) {
   const Omissions audit =
-      audit_omissions(gold(), 5, solver([](const Problem& p) {
+      audit_omissions(gold_sample(), 5, solver([](const Problem& p) {
                         return stopped_at(p.bottom == Bottom::fixed ? 27 * 0.952 : 27, p.rates == 1 ? 1.5 : 1);
                       }));
   const AuditedOmission& first = audit.omissions.front();
@@ -147,7 +147,7 @@ TEST(Omissions, AnEffectIsFoundWithItsSizeAndComesFirst) {
 
 TEST(Omissions, BetweenTwoAndThreeStandardErrorsAnEffectIsOnlyPossible) {
   const auto with = [](double effect) {
-    return audit_omissions(gold(), 5, solver([effect](const Problem& p) {
+    return audit_omissions(gold_sample(), 5, solver([effect](const Problem& p) {
                              return stopped_at(p.bottom == Bottom::fixed ? 27 * (1 + effect) : 27);
                            }));
   };
@@ -165,13 +165,13 @@ TEST(Omissions, TwoMeansThatHappenToScatterLittleAreNotTakenForExact) {
         for (auto& run : runs) run.result.depth = calls == 1 ? 27 : 27.054;
     return all;
   };
-  const Omissions audit = audit_omissions(gold(), 5, lucky);
+  const Omissions audit = audit_omissions(gold_sample(), 5, lucky);
   EXPECT_EQ(named(audit, "elastic particle").effect, Effect::none);
   EXPECT_GT(*named(audit, "elastic particle").change.standard_error, 0.005);
 }
 
 TEST(Omissions, AVariantThatDoesNotStopIsToldByItsOutcomeAndStandsBeforeAll) {
-  const Omissions audit = audit_omissions(gold(), 5, solver([](const Problem& p) {
+  const Omissions audit = audit_omissions(gold_sample(), 5, solver([](const Problem& p) {
                                             Evaluation evaluation = stopped_at(27);
                                             if (p.eroded_nodes == ErodedNodes::in_contact) {
                                               evaluation.result.outcome = Outcome::passed_through;
@@ -184,14 +184,14 @@ TEST(Omissions, AVariantThatDoesNotStopIsToldByItsOutcomeAndStandsBeforeAll) {
   EXPECT_EQ(first.effect, Effect::ends_otherwise);
   EXPECT_EQ(first.verdict, "ends otherwise: passed through (5 of 5 runs)");
   EXPECT_FALSE(first.change.share.has_value());
-  const auto json = omissions_to_json(gold(), audit, {});
+  const auto json = omissions_to_json(gold_sample(), audit, {});
   EXPECT_TRUE(json["omissions"][0]["change"].is_null());
   EXPECT_EQ(json["omissions"][0]["effect"], "ends otherwise");
   EXPECT_THAT(audit.conclusions, Contains("changes how the particle ends: eroded nodes in contact"));
 }
 
 TEST(Omissions, ASceneThatDoesNotStopHasNothingToCompare) {
-  const Omissions audit = audit_omissions(gold(), 5, solver([](const Problem&) {
+  const Omissions audit = audit_omissions(gold_sample(), 5, solver([](const Problem&) {
                                             Evaluation evaluation = stopped_at(75);
                                             evaluation.result.outcome = Outcome::passed_through;
                                             return evaluation;
@@ -202,7 +202,7 @@ TEST(Omissions, ASceneThatDoesNotStopHasNothingToCompare) {
 }
 
 TEST(Omissions, TheListOfWhatWasLeftOutSaysHowEachEntryIsAudited) {
-  const Omissions audit = audit_omissions(gold(), 5, nothing_matters);
+  const Omissions audit = audit_omissions(gold_sample(), 5, nothing_matters);
   ASSERT_EQ(audit.left_out.size(), audit.reduction.left_out.size());
   for (const auto& one : audit.left_out) EXPECT_NE(one.audited_by.empty(), one.why_not.empty()) << one.left_out.what;
   const auto entry = [&](const std::string& what) {
@@ -219,7 +219,7 @@ TEST(Omissions, TheListOfWhatWasLeftOutSaysHowEachEntryIsAudited) {
 }
 
 TEST(Omissions, WhatASceneCannotHaveIsSkippedWithTheReason) {
-  Scene scene = gold();
+  Scene scene = gold_sample();
   scene.particle.youngs_modulus.reset();
   scene.target.erosion = NoErosion{};
   const Omissions audit = audit_omissions(scene, 5, nothing_matters);
@@ -252,8 +252,8 @@ TEST(Omissions, WhatTheSceneHasIsTakenAwayInstead) {
 }
 
 TEST(Omissions, TheTableHasALineForTheSceneAndOneForEach) {
-  const Omissions audit = audit_omissions(gold(), 5, nothing_matters);
-  const auto result = omissions_to_json(gold(), audit, {});
+  const Omissions audit = audit_omissions(gold_sample(), 5, nothing_matters);
+  const auto result = omissions_to_json(gold_sample(), audit, {});
   const std::string csv = omissions_csv(result), page = test::words_of(omissions_page(result));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 2 + static_cast<long>(audit.omissions.size()));
   EXPECT_THAT(csv, HasSubstr("\n\"as it is\",,stopped,"));

@@ -12,7 +12,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::vector<std::string> ladder{"--error-vs-time", "--meshes", "3,4,5,6", "--replicates", "3", "--threads", "1"};
+const std::vector<std::string> ladder_arguments{"--error-vs-time", "--meshes", "3,4,5,6", "--replicates", "3",
+                                                "--threads",       "1"};
 
 class Study : public test::Program {
  protected:
@@ -27,7 +28,7 @@ class Study : public test::Program {
   }
   Ended study(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "study");
-    arguments.insert(arguments.end(), ladder.begin(), ladder.end());
+    arguments.insert(arguments.end(), ladder_arguments.begin(), ladder_arguments.end());
     return run(arguments);
   }
 };
@@ -68,7 +69,7 @@ TEST_F(Study, WithoutAFolderTheMarkdownHasItsFiguresBesideIt) {
 
 TEST_F(Study, WithoutGnuplotSaysThatNoPlotWasDrawn) {
   std::vector<std::string> arguments{"study", scene()};
-  arguments.insert(arguments.end(), ladder.begin(), ladder.end());
+  arguments.insert(arguments.end(), ladder_arguments.begin(), ladder_arguments.end());
   const Ended ended = run(arguments, [] { setenv("PATH", "/nowhere", 1); });
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("the figures were not drawn: no gnuplot"));

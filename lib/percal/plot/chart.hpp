@@ -48,4 +48,8 @@ struct Plot {
 
 Plot plot_of(const std::string& name, const Chart& chart);
 
+// "#c8553d" for the index of a series, taken modulo the palette's length; grey for a negative one. Each is readable on a white page
+// and on a dark one (contrast of 3 with both).
+std::string palette_colour(int index);
+
 }  // namespace percal
