@@ -1,7 +1,7 @@
 // An impact that is over soon, for tests of what is drawn and written of it.
 #pragma once
 #include "impact/setting_s.hpp"
-#include "percal/problem/reduce.hpp"
+#include "percal/problem/problem.hpp"
 
 namespace percal::test {
 
