@@ -17,6 +17,8 @@
 namespace percal {
 namespace {
 
+using test::crater;
+using test::scales;
 namespace fs = std::filesystem;
 const double pressure_unit = 1100.0 * 300 * 300;
 
