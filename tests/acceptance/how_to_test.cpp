@@ -1,7 +1,7 @@
 // docs/how-to as its reader follows it: the files that a page holds, then its commands in order, in one folder.
 #include <gmock/gmock.h>
 
-#include <regex>
+#include <iomanip>
 
 #include "support/program.hpp"
 
@@ -34,9 +34,8 @@ std::vector<Step> steps_of(const std::string& page) {
 // Words, of which some are in double quotes.
 std::vector<std::string> quoted_words(const std::string& command) {
   std::vector<std::string> words;
-  const std::regex word("\"([^\"]*)\"|(\\S+)");
-  for (auto one = std::sregex_iterator(command.begin(), command.end(), word); one != std::sregex_iterator(); ++one)
-    words.push_back((*one)[1].matched ? (*one)[1].str() : (*one)[2].str());
+  std::istringstream stream(command);
+  for (std::string word; stream >> std::quoted(word);) words.push_back(word);
   words.erase(words.begin());
   return words;
 }

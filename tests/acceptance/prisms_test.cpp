@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <regex>
 
 #include "support/program.hpp"
 
@@ -20,11 +19,12 @@ class Prisms : public Program {
 
   // A scene of data/guha2009 with lines `key = value` replaced; an empty value takes the line out.
   json impact(const std::string& name, const Keys& keys, const std::vector<std::string>& options = {}) const {
-    std::string text = text_of(guha2009 + name);
+    std::string text = "\n" + text_of(guha2009 + name);
     for (const auto& [key, value] : keys) {
-      const std::regex line("(^|\n)" + key + " = [^\n]*");
-      EXPECT_TRUE(std::regex_search(text, line)) << key;
-      text = std::regex_replace(text, line, value.empty() ? "" : "$1" + key + " = " + value);
+      const std::string start = "\n" + key + " = ";
+      EXPECT_THAT(text, testing::HasSubstr(start));
+      for (auto line = text.find(start); line != std::string::npos; line = text.find(start, line + 1))
+        text.replace(line, text.find('\n', line + 1) - line, value.empty() ? "" : start + value);
     }
     std::vector<std::string> arguments{"impact", write(name, text), "--json", "--store", path("store")};
     arguments.insert(arguments.end(), options.begin(), options.end());

@@ -1,7 +1,6 @@
 // Intervals and rate factors of percal fit as a user gets them.
 #include <gmock/gmock.h>
 
-#include <regex>
 #include <set>
 
 #include "percal/text/file.hpp"

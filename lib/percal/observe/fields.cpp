@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <regex>
 
 #include "percal/base/error.hpp"
 #include "percal/text/file.hpp"
@@ -69,13 +68,19 @@ VtuMesh mesh_of_piece(const FramePiece& piece, double time, const Scales& scales
   return mesh;
 }
 
+// "target_0003.vtu", "particle_12345.vtu".
+bool is_frame_file(const std::string& name) {
+  const auto number = name.find('_') + 1, end = name.find_first_not_of("0123456789", number);
+  return (name.starts_with("target_") || name.starts_with("particle_")) && end != std::string::npos &&
+         end - number >= 4 && name.substr(end) == ".vtu";
+}
+
 // Files of an earlier series, which the new one may be shorter than.
 void remove_earlier_frames(const std::string& folder, const std::string& list) {
-  static const std::regex ours("(target|particle)_[0-9]{4,}\\.vtu");
   std::error_code error;
   std::vector<std::filesystem::path> found{list};
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (std::regex_match(entry.path().filename().string(), ours)) found.push_back(entry.path());
+    if (is_frame_file(entry.path().filename().string())) found.push_back(entry.path());
   for (const auto& file : found)
     if (!error) std::filesystem::remove(file, error);
   if (error) throw IoFailure(folder + ": an earlier series cannot be removed: " + error.message());
