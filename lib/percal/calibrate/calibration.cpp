@@ -205,8 +205,7 @@ std::string what_more_time_buys(const std::vector<EmulatorReport>& reports) {
     const double better = std::hypot(report.error_at_optimum / std::sqrt(2.0), report.data_error);
     return fmt::format(
         "Twice the runs ({:.0f} s more of processor time) would bring the emulator's error from {:.2g} to about {:.2g} "
-        "%; beside the "
-        "data's {:.2g} % that makes intervals {:.2g} % narrower.",
+        "%; beside the data's {:.2g} % that makes intervals {:.2g} % narrower.",
         last.cpu_seconds, 100 * report.error_at_optimum, 100 * report.error_at_optimum / std::sqrt(2.0),
         100 * report.data_error, 100 * (1 - better / total));
   }

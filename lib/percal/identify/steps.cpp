@@ -61,8 +61,7 @@ ComparedNumbers ridge_step(const IdentifyJob& job, const Identification& found) 
   table.name = fmt::format("ridge: modulus and erosion strain that give {:.4g} {}", job.penetration / scale, unit);
   table.note = fmt::format(
       "moduli as given ({}), {} strain, {} elements per radius; error: solver noise and the standard error of the "
-      "measured "
-      "depth; the mesh's is not in it",
+      "measured depth; the mesh's is not in it",
       word(job.convention), word(job.measure), job.ridge.elements_per_radius);
   if (found.alpha_scan) {
     const auto& scan = *found.alpha_scan;

@@ -60,8 +60,7 @@ Figure energy_figure(const std::vector<BallGroup>& balls, const std::string& mat
       .name = "energy",
       .caption =
           "pi8 = P/a against pi4 = rho_t v^2/mu (mu true): each material has a straight line of its own, because the "
-          "ratio "
-          "of densities, pi5, is another for each material.",
+          "ratio of densities, pi5, is another for each material.",
       .alt = fmt::format("Depth over radius against rho_t v^2/mu in {}: {} balls, each on a rising line of its own.",
                          material, balls.size()),
       .chart = chart};

@@ -80,8 +80,7 @@ ElasticSphereRun::ElasticSphereRun(const Problem& problem, const Disc& disc)
     const auto& sphere = std::get<ElasticSphere>(problem.particle);
     failure_ = fmt::format(
         "an elastic particle so stiff takes {:.0f} of its own steps for one of the target's, and at most {} are run; "
-        "its "
-        "strain would be about {:.1g}: a rigid one will do",
+        "its strain would be about {:.1g}: a rigid one will do",
         steps, most_particle_steps, (1 + 10 * problem.mu()) / sphere.youngs_modulus);
   }
 }

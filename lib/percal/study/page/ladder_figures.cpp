@@ -50,8 +50,7 @@ Figure error_against_time(const Json& result) {
   }
   figure.caption =
       "Each point is a mesh of the ladder, coarse to fine from left to right; bars are the error's interval. The "
-      "dashes "
-      "are the noise of erosion, which a finer mesh does not lower and more runs do.";
+      "dashes are the noise of erosion, which a finer mesh does not lower and more runs do.";
   figure.alt =
       "Error of the mean depth over processor time, both logarithmic, for one run, three and ten. " + figure.caption;
   return figure;
