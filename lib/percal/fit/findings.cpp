@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "percal/math/distributions.hpp"
+#include "percal/page/numbers.hpp"
 
 namespace percal {
 namespace {
@@ -166,20 +167,22 @@ std::string undetermined(const ParameterUncertainty& parameter, const std::strin
   const bool from_end = low_open && low == parameter.searched_low,
              to_end = high_open && high == parameter.searched_high;
   const std::string interval = fmt::format("its {:g} % interval", 100 * level);
-  const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
+  const auto shown = [&](double value) {
+    return page::quantity(value, parameter.unit.empty() ? dimension::none : dimension::pressure);
+  };
+  const std::string end = "the end of the search at ";
   if (from_end && to_end)
-    return fmt::format("{} does not determine {}: {} reaches both ends of the search, {:.4g} and {:.4g}{}.", range,
-                       parameter.name, interval, low, high, unit);
+    return fmt::format("{} does not determine {}: {} reaches both ends of the search, {} and {}.", range,
+                       parameter.name, interval, shown(low), shown(high));
   if (from_end || to_end)
-    return fmt::format("{} does not determine {}: {} goes from {}{:.4g} to {}{:.4g}{}.", range, parameter.name,
-                       interval, from_end ? "the end of the search at " : "", low,
-                       to_end ? "the end of the search at " : "", high, unit);
+    return fmt::format("{} does not determine {}: {} goes from {}{} to {}{}.", range, parameter.name, interval,
+                       from_end ? end : "", shown(low), to_end ? end : "", shown(high));
   if (!parameter.identifiable)
-    return fmt::format("{} hardly determines {}: {} goes from {:.4g} to {:.4g}{}.", range, parameter.name, interval,
-                       low, high, unit);
+    return fmt::format("{} hardly determines {}: {} goes from {} to {}.", range, parameter.name, interval, shown(low),
+                       shown(high));
   if (low_open || high_open)
-    return fmt::format("{}'s interval ends at {:.4g}{} only because the search of another parameter ends there.",
-                       parameter.name, low_open ? low : high, unit);
+    return fmt::format("{}'s interval ends at {} only because the search of another parameter ends there.",
+                       parameter.name, shown(low_open ? low : high));
   return "";
 }
 
