@@ -8,27 +8,21 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "pages.hpp"
 #include "percal/card/card_comments.hpp"
 #include "percal/card/card_curve.hpp"
 #include "percal/card/card_json.hpp"
 #include "percal/card/card_text.hpp"
 #include "percal/card/solver.hpp"
+#include "percal/page/numbers.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/quantity.hpp"
 #include "percal/units/words.hpp"
-#include "pages.hpp"
 
 namespace percal::tools {
 namespace {
 
 using nlohmann::json;
-
-void print_text(const std::string& text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (std::fflush(stdout) != 0 || !written) throw IoFailure("standard output: cannot be written");
-}
-
-void print_json(const json& value) { print_text(value.dump(2, ' ', false, json::error_handler_t::replace) + "\n"); }
 
 double density_of(const std::string& text) {
   const std::string accepted = "a positive density with its unit, such as \"1010 kg/m3\"";
@@ -79,7 +73,7 @@ Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const 
              const CardArguments& card, const Common& common) {
   if (common.check) {
     if (!common.quiet)
-      print_text(fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
+      fmt::print("{}", fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
     return Exit::done;
   }
   if (card.file.empty()) {
@@ -89,14 +83,14 @@ Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const 
       throw BadInput(
           Place{.file = "", .line = 0, .key = "--file"}, "nothing",
           fmt::format("a name: the {} for {} is {} files, as {}", what, card.solver, files.size(), listed(names)));
-    print_text(files.front().text);
+    fmt::print("{}", files.front().text);
     return Exit::done;
   }
   for (const DeckFile& file : files) {
     const std::string path =
         files.size() == 1 ? card.file : (std::filesystem::path(card.file).parent_path() / file.name).string();
     write_file(path, file.text);
-    if (!common.quiet) print_text(fmt::format("wrote {}: {}\n", path, of_what));
+    if (!common.quiet) fmt::print("{}", fmt::format("wrote {}: {}\n", path, of_what));
   }
   return Exit::done;
 }
@@ -110,12 +104,10 @@ ReadCard read(const CardArguments& card) {
   return read_card({text, card.card, card.solver, card.units, card.name});
 }
 
-std::string pressure(double pascals) {
-  const double size = std::abs(pascals);
-  if (size >= 1e9) return fmt::format("{:.9g} GPa", pascals / 1e9);
-  if (size >= 1e6) return fmt::format("{:.9g} MPa", pascals / 1e6);
-  if (size >= 1e3) return fmt::format("{:.9g} kPa", pascals / 1e3);
-  return fmt::format("{:.9g} Pa", pascals);
+std::string pressure(double pascals) { return page::pressure(pascals, 9); }
+
+std::string aligned(const std::vector<std::vector<std::string>>& rows) {
+  return page::as_text(page::Table{.caption = "", .rows = rows, .notes = {}}, terminal_style(page::Detail::answer));
 }
 
 // What the card says, in both conventions of the modulus.
@@ -194,9 +186,9 @@ Exit run_card_write(const CardArguments& card, const Common& common) {
 Exit run_card_read(const CardArguments& card, const Common& common) {
   const ReadCard found = read(card);
   if (common.json) {
-    print_json(as_json(found));
+    fmt::print("{}", page::written(as_json(found)));
   } else {
-    print_text(summary(found, card.card));
+    fmt::print("{}", summary(found, card.card));
   }
   return Exit::done;
 }
@@ -210,9 +202,9 @@ Exit run_card_check(const CardArguments& card, const Common& common) {
     json result = as_json(found);
     result["curve"] = points_of(material, range);
     result["stability"] = stability_of(material);
-    print_json(result);
+    fmt::print("{}", page::written(result));
   } else {
-    print_text(summary(found, card.card) + curve_text(material, range));
+    fmt::print("{}", summary(found, card.card) + curve_text(material, range));
   }
   return Exit::done;
 }

@@ -21,9 +21,6 @@ bool has_colour(std::FILE* stream) {
   return (!none || *none == '\0') && terminal && *terminal != '\0' && std::string(terminal) != "dumb";
 }
 
-std::string bold(const std::string& text, std::FILE* stream) { return shown("1", text, stream); }
-std::string green(const std::string& text, std::FILE* stream) { return shown("32", text, stream); }
-std::string yellow(const std::string& text, std::FILE* stream) { return shown("33", text, stream); }
 std::string red(const std::string& text, std::FILE* stream) { return shown("31", text, stream); }
 
 int terminal_columns() {

@@ -9,10 +9,7 @@ namespace percal::tools {
 bool has_colour(std::FILE* stream);
 
 // The text with the colour where the stream may have it, else as it is. For standard output unless said otherwise.
-std::string bold(const std::string& text, std::FILE* stream = stdout);
-std::string green(const std::string& text, std::FILE* stream = stdout);
-std::string yellow(const std::string& text, std::FILE* stream = stdout);  // notes and warnings
-std::string red(const std::string& text, std::FILE* stream = stdout);     // errors
+std::string red(const std::string& text, std::FILE* stream = stdout);  // errors
 
 // Columns of the terminal that standard output is; 0 where it is none.
 int terminal_columns();

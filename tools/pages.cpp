@@ -94,10 +94,6 @@ Exit say_valid(const std::string& command, const std::string& kind, const std::s
   return Exit::done;
 }
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows) {
-  return page::as_text(page::Table{.caption = "", .rows = rows, .notes = {}}, terminal_style(page::Detail::answer));
-}
-
 page::TextStyle terminal_style(page::Detail detail) {
   return {.columns = terminal_columns(), .colour = has_colour(stdout), .detail = detail};
 }

@@ -23,9 +23,6 @@ void deliver(const page::Json& result, const std::string& folder, const Common& 
 Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,
                const Common& common);
 
-// A table on standard output.
-std::string aligned(const std::vector<std::vector<std::string>>& rows);
-
 // Standard output as it is: the terminal's columns and colours.
 page::TextStyle terminal_style(page::Detail detail);
 

@@ -5,6 +5,7 @@
 
 #include "acceptance/liver.hpp"
 #include "percal/identify/job.hpp"
+#include "support/described_keys.hpp"
 
 namespace percal {
 namespace {
@@ -13,45 +14,17 @@ using acceptance::LiverJob;
 using nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
-using Keys = std::map<std::string, std::set<std::string>>;  // by the heading of their block, "[gelatin]" or "Top level"
+using test::Keys;
 
 class IdentifyPage : public LiverJob {
  protected:
   static std::string page() { return text_of(test::docs + "formats/identify.md"); }
 
-  static Keys described() {
-    Keys keys;
-    std::istringstream lines(page());
-    std::string heading;
-    for (std::string line; std::getline(lines, line);) {
-      if (line.starts_with("# Results")) break;
-      if (line.starts_with("## ")) heading = line.substr(3);
-      if (line.starts_with("| `")) keys[heading].insert(line.substr(3, line.find('`', 3) - 3));
-    }
-    return keys;
-  }
-
-  // The keys that the reader lists as accepted where it finds one that it does not know below this line of a job.
-  std::set<std::string> accepted(std::string text, std::size_t end_of_header) const {
-    text.insert(end_of_header, "\nzzzzzzzz = 1");
-    std::set<std::string> keys;
-    try {
-      read_identify_job(write("page.toml", text));
-    } catch (const BadInput& error) {
-      const std::string message = error.what(), before = "accepted: ";
-      EXPECT_THAT(message, HasSubstr("zzzzzzzz"));
-      std::istringstream words(message.substr(message.find(before) + before.size()));
-      for (std::string word; std::getline(words >> std::ws, word, ',');) keys.insert(word);
-    }
-    return keys;
-  }
+  static Keys described() { return test::described_keys(page()); }
 
   void collect(const std::string& text, Keys& keys) const {
-    keys["Top level"].merge(accepted("\n" + text, 0));
-    for (std::size_t at = text.find("\n["); at != std::string::npos; at = text.find("\n[", at + 1)) {
-      const std::size_t end = text.find_first_of(" \n", at + 1);
-      keys[text.substr(at + 1, end - at - 1)].merge(accepted(text, text.find('\n', at + 1)));
-    }
+    const auto read = [this](const std::string& job) { read_identify_job(write("page.toml", job)); };
+    test::collect_accepted_keys(read, text, keys);
   }
 };
 
