@@ -115,7 +115,7 @@ def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=No
     """Runs the impacts of a scene (or of the file of one).
 
     elements_per_radius, replicates: instead of the scene's; threads: 0 for one on each core; store: file in which finished runs are
-    kept and found again (percal.default_store_path() is the program's), None for no store; history: of the first run. A
+    kept and found again (percal.default_store_path() is the program's), None for no store; history: of the middle run. A
     run whose history is wanted is never taken from the store.
     """
     if not isinstance(scene, Scene):
