@@ -8,6 +8,7 @@
 #include "percal/base/error.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/problem/domain.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {

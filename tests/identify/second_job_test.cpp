@@ -112,10 +112,25 @@ TEST_F(SecondJob, TheIdentifiedPairGivesTheDepthThatItCameFrom) {
       << "its similar system";
 }
 
+// An erosion strain belongs to its mesh: percal impact runs the scene on that of the ridge, from the ridge's own runs.
+TEST_F(SecondJob, TheScenesThatItWritesAreItsOwnRuns) {
+  job();
+  const json found = identify("out");
+  const json model = json::parse(run({"impact", "out/scenes/model.toml", "--json", "--out", "none"}).out);
+  EXPECT_EQ(model["depth_m"], found["model_check"]["depth_m"]);
+  EXPECT_EQ(model["mesh"]["elements_per_radius"], 4.0);
+  EXPECT_EQ(model["mesh"]["width_over_radius"], 4.0);
+  EXPECT_FALSE(model["mesh"]["width_was_chosen"]);
+  const json shot = json::parse(run({"impact", "out/scenes/calibration.toml", "--json", "--out", "none"}).out);
+  EXPECT_EQ(shot["runs"].size(), 5u) << "as many as each depth of the ridge has";
+  EXPECT_EQ(shot["mu_true_Pa"], found["skin"]["mu_highrate_true_Pa"]);
+}
+
 TEST_F(SecondJob, TheCardHoldsWhatWasFound) {
   job();
   const json found = identify("out");
-  EXPECT_EQ(files("out"), (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp"}));
+  EXPECT_EQ(files("out"),
+            (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp", "out/scenes"}));
   EXPECT_EQ(found["cards"][0]["mu_true_Pa"], found["skin"]["mu_highrate_true_Pa"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["strain"], found["skin"]["erosion_strain"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["measure"], "true");

@@ -22,6 +22,7 @@ constexpr double near_enough = 0.7;   // of ln depth from the measured one
 constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
 constexpr int smallest_training = 24;
 constexpr int most_foreign = 600;
+constexpr double coarsest_foreign = 6;  // elements per radius that are fine enough for any job
 
 double element_size(double elements_per_radius) { return 1.0 / elements_per_radius; }
 
@@ -165,7 +166,7 @@ void Training::take_foreign_runs() {
       setting_of(shot_problem(job_, hypothesis_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
   const auto usable = [&](const StoredSphere& s) {
     return s.depth_over_radius && setting_of(s.problem) == setting &&
-           s.problem.elements_per_radius >= std::min(job_.training.coarse, 6.0);
+           s.problem.elements_per_radius >= std::min(job_.training.coarse, coarsest_foreign) - phase_span / 2;
   };
   if (!store_->note(name)) {
     std::string keys;

@@ -63,11 +63,11 @@ void refuse_what_is_too_large(const Problem& problem, const std::string& file, c
                                1e-9 * physical_memory(), most_elements));
   if (beyond_patience(size))
     throw BadInput(Place{file, 0, key_to_blame(problem, keys, beyond_patience)}, in_words(size),
-                   fmt::format("a run of at most about {:g} steps", static_cast<double>(most_steps)));
+                   fmt::format("a run of up to about {:g} steps", static_cast<double>(most_steps)));
 }
 
 std::string in_words(const RunSize& size) {
-  return fmt::format("{:.6g} elements ({:.6g} columns, {:.6g} rows), {:.3g} MB, about {:.2g} steps", size.elements,
+  return fmt::format("{:.6g} elements ({:.6g} columns, {:.6g} rows), {:.3g} MB, up to about {:.2g} steps", size.elements,
                      size.columns, size.rows, 1e-6 * size.bytes, size.steps);
 }
 

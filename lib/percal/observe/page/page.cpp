@@ -190,7 +190,7 @@ Table accuracy_table(const Json& result) {
     if (value != absent) table.rows.push_back({what, value});
   };
   row("asked for", percent(number(accuracy, "target_error")));
-  row("mesh", percent(number(accuracy, "discretisation_error")));
+  row("element size", percent(number(accuracy, "discretisation_error")));
   row("mesh phase and noise", percent(number(accuracy, "noise_error")));
   row("both", percent(number(accuracy, "error")));
   row("elements per radius", shown(number(accuracy, "elements_per_radius")));
