@@ -186,8 +186,8 @@ void closed_form_beside(const CalibrationResult& result, std::vector<std::string
         "Dehn's closed form, two numbers for a material, predicts better in {} of {} predictions.", better, tasks));
 }
 
-void the_wall(const CalibrationJob& job, std::vector<std::string>& sentences) {
-  if (job.shots.empty()) return;
+void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::vector<std::string>& sentences) {
+  if (job.shots.empty() || result.hypotheses.empty()) return;
   const double width = job.shots.front().layer_width / job.shots.front().radius;
   const std::string warning = width_warning(width, width_needed(job));
   if (job.width_was_chosen)
@@ -205,7 +205,7 @@ std::vector<std::string> overall_findings(const CalibrationJob& job, const Calib
   spread_over_hypotheses(job, result, sentences);
   fresh_against_emulated(job, result, sentences);
   closed_form_beside(result, sentences);
-  the_wall(job, sentences);
+  the_wall(job, result, sentences);
   return sentences;
 }
 
