@@ -181,7 +181,7 @@ TEST_F(SecondJob, TheConventionOfTheModuliOnlyScalesThem) {
 }
 
 TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
-  write("pairs.csv", "mu_MPa,strain,model_kPa\n11.2,0.45,297\n11.7,0.6,310\n5.65,0.8,150\n");
+  write("pairs.csv", "mu_MPa,strain,model_kPa\n13.2,0.45,350\n10.5,0.6,279\n6.58,0.8,175\n");
   job({{"[0.3, 0.6, 0.8]", "[0.45, 0.6, 0.8]"},
        {"value = 5",
         "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = "

@@ -8,6 +8,7 @@
 
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/hypothesis_fit.hpp"
+#include "percal/calibrate/run_sizes.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
 #include "percal/problem/replicates.hpp"
@@ -220,6 +221,7 @@ std::string what_more_time_buys(const std::vector<EmulatorReport>& reports) {
 
 CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& campaign,
                             const CalibrationLimits& limits, const Announce& announce) {
+  largest_run(job);  // throws where it cannot be run
   CalibrationResult result;
   result.hypotheses.resize(job.hypotheses.size());
   bool complete = true;

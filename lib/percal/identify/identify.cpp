@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "percal/identify/identification.hpp"
+#include "percal/identify/run_sizes.hpp"
 
 namespace percal {
 namespace {
@@ -179,6 +180,7 @@ Scene identified_scene(const IdentifyJob& job, const Identification& found) {
 
 Identification identify(const IdentifyJob& job, Campaign& campaign,
                         const std::function<void(const ComparedNumbers&)>& announce) {
+  largest_run(job);  // throws where it cannot be run
   Identification found;
   const auto finish = [&](ComparedNumbers table) {
     if (announce) announce(table);
