@@ -130,7 +130,8 @@ TEST_F(SecondJob, TheCardHoldsWhatWasFound) {
   job();
   const json found = identify("out");
   EXPECT_EQ(files("out"),
-            (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp", "out/scenes"}));
+            (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp", "out/scenes",
+                                   "out/scenes/calibration.toml", "out/scenes/model.toml"}));
   EXPECT_EQ(found["cards"][0]["mu_true_Pa"], found["skin"]["mu_highrate_true_Pa"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["strain"], found["skin"]["erosion_strain"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["measure"], "true");
@@ -214,9 +215,7 @@ TEST_F(SecondJob, ARidgeThatDoesNotReachTheModulusEndsWithExitCodeThree) {
   EXPECT_TRUE(found["cards"].empty());
   EXPECT_THAT(found["findings"].dump(), HasSubstr("the ridge does not reach the modulus"));
   EXPECT_THAT(found["predictions"], IsEmpty()) << "all of this job's take the erosion strain";
-  EXPECT_EQ(files("out"),
-            (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp", "out/scenes",
-                                   "out/scenes/calibration.toml", "out/scenes/model.toml"}));
+  EXPECT_EQ(files("out"), (std::set<std::string>{"out/result.json"})) << "no card, no scenes";
 }
 
 TEST_F(SecondJob, AStrainAtWhichNoModulusGivesTheDepthIsNamedAndLeftOut) {
