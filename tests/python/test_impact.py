@@ -46,7 +46,7 @@ class AnImpact(unittest.TestCase):
         self.assertAlmostEqual(found.depth, found.depths.mean(), places=12)
         self.assertAlmostEqual(found.spread, found.depths.std(ddof=1), places=12)
         self.assertAlmostEqual(sum(v for k, v in found.energy.items() if k != "sum"), found.energy["sum"], places=9)
-        self.assertAlmostEqual(found.history["tip_m"].max(), found.depths[0], delta=0.01 * found.depth)
+        self.assertAlmostEqual(found.history["tip_m"].max(), found.depths[2], delta=0.01 * found.depth)
         self.assertTrue(np.all(np.diff(found.history["time_s"]) > 0))
         self.assertEqual(found.history["energy_particle"][0], 1)
         self.assertRegex(repr(found), r"stopped, depth .* um \+- .* \(standard error of 3 runs\)")
