@@ -49,7 +49,7 @@ class AnImpact(unittest.TestCase):
         self.assertAlmostEqual(found.history["tip_m"].max(), found.depths[2], delta=0.01 * found.depth)
         self.assertTrue(np.all(np.diff(found.history["time_s"]) > 0))
         self.assertEqual(found.history["energy_particle"][0], 1)
-        self.assertRegex(repr(found), r"stopped, depth .* um \+- .* \(standard error of 3 runs\)")
+        self.assertRegex(repr(found), r"stopped, depth .* um \+- .* \(standard error of 5 runs\)")
 
     def test_has_the_same_bits_at_any_number_of_threads(self):
         one, two = (percal.impact(GOLD, 4, replicates=2, threads=n, history=False) for n in (1, 2))
