@@ -256,6 +256,7 @@ TEST(Mach, IsThatOfTheLayerWithTheSlowestWaves) {
 
 TEST(Mach, EveryLayersBulkModulusIsChosenForIt) {
   Scene scene = everything(1e-3, 50, 1000);
+  scene.target.width.reset();
   scene.target.mu_as_given /= 100;  // pi4 = 1000
   scene.below[0].mu_as_given /= 300;
   scene.below[0].volumetric = ChooseBulk{};
@@ -266,6 +267,7 @@ TEST(Mach, EveryLayersBulkModulusIsChosenForIt) {
 
 TEST(Mach, AWarningNamesIt) {
   Scene scene = everything(1e-3, 50, 1000);
+  scene.target.width.reset();
   scene.below.clear();
   scene.target.volumetric = BulkToShear{50};  // M^2 = 10/51.3
   EXPECT_THAT(reduce(scene).warnings,
@@ -277,6 +279,7 @@ TEST(Mach, AWarningNamesIt) {
 
 TEST(Mach, OnlyASupersonicLayerIsStiffenedAndOnlyOnRequest) {
   Scene scene = everything(1e-3, 50, 1000);
+  scene.target.width.reset();
   scene.target.volumetric = BulkToShear{2};
   scene.below[0].volumetric = BulkToShear{5};  // M = 0.76: kept
   EXPECT_EQ(reduce(scene).problem.bulk_ratio, 2);
@@ -320,7 +323,7 @@ TEST(LeftOut, AProfileOfSoftMaterialStaysRigidWithAWarning) {
   const Reduction reduction = reduce(scene_of(thesis_square + "youngs_modulus = \"10 MPa\"\n"));
   EXPECT_TRUE(std::holds_alternative<RigidPolygon>(reduction.problem.particle));
   EXPECT_THAT(reduction.left_out.front().why, HasSubstr("only a sphere in an axisymmetric scene can be elastic"));
-  EXPECT_THAT(reduction.warnings, ElementsAre(HasSubstr("may matter")));
+  EXPECT_THAT(reduction.warnings, ElementsAre(HasSubstr("may matter"), HasSubstr("nearer than the 5")));
 }
 
 }  // namespace

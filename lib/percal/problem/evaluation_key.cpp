@@ -124,7 +124,8 @@ std::string sphere_key_prefix(const std::string& instruction_level) {
 std::string evaluation_key(const Problem& p, const std::string& instruction_level) {
   return fmt::format(
              "{} solver={} level={} arithmetic={} pi4={:.12g} density_ratio={:.12g} alpha={:.12g} bulk_ratio={:.12g} "
-             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={},{:.12g},{} contact={:.12g} hourglass={:.12g} "
+             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={:.12g},{:.12g},{} contact={:.12g} "
+             "hourglass={:.12g} "
              "viscosity={:.12g},{:.12g} step={:.12g} end={:.12g} speed={:.12g}",
              std::visit(ParticleText{}, p.particle), solver_version, instruction_level,
              p.arithmetic == Arithmetic::single_precision ? "single" : "double", p.pi4, p.density_ratio, p.alpha,
@@ -148,7 +149,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.bottom = words.text("bottom") == "fixed" ? Bottom::fixed : Bottom::free;
   p.erosion = erosion_of(words.text("erosion"));
   const auto mesh = words.numbers("mesh");
-  p.elements_per_radius = static_cast<int>(mesh[0]);
+  p.elements_per_radius = mesh[0];
   p.fine_width = mesh[1];
   p.graded_columns = static_cast<int>(mesh[2]);
   p.contact_stiffness = words.number("contact");

@@ -5,9 +5,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "percal/problem/domain.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/profile.hpp"
+#include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
@@ -84,9 +86,9 @@ Relaxation reduced_relaxation(const Scene& scene) {
 }
 
 void take_mesh(const Scene& scene, Problem& p) {
-  p.elements_per_radius = scene.mesh.elements_per_radius;
+  p.elements_per_radius = round_to_12_digits(scene.mesh.elements_per_radius);
   p.fine_width = round_to_12_digits(scene.mesh.fine_width);
-  p.graded_columns = scene.mesh.graded_columns.value_or(usual_graded_columns(p.fine_width, p.elements_per_radius));
+  p.graded_columns = scene.mesh.graded_columns ? *scene.mesh.graded_columns : usual_graded_columns(p);
   p.whole = scene.geometry == Geometry::plane_strain && (scene.mesh.whole || needs_both_halves(scene.particle));
 }
 
@@ -140,7 +142,7 @@ Reduction reduce(const Scene& scene) {
   p.alpha = round_to_12_digits(target.alpha);
   p.bulk_ratio = bulk_ratio(target.volumetric, p.pi4, target.name, scene.solver, reduction);
   p.depth = round_to_12_digits(target.depth / particle.radius);
-  p.width = round_to_12_digits(target.width / particle.radius);
+  p.width = round_to_12_digits(width_of(scene) / particle.radius);
   p.bottom = target.bottom;
   p.geometry = scene.geometry;
   p.particle = reduced_particle(scene, p.density_ratio);
@@ -157,6 +159,8 @@ Reduction reduce(const Scene& scene) {
   reduction.left_out = list_what_is_left_out(scene, p);
   warn_of_the_particle(scene, reduction);
   warn_of_the_mach_number(reduction);
+  reduction.mesh = mesh_choice(scene, p);
+  for (std::string& warning : mesh_warnings(scene, p)) reduction.warnings.push_back(std::move(warning));
   return reduction;
 }
 
@@ -174,16 +178,6 @@ double mach_number(const Problem& problem) {
 }
 
 double subsonic_bulk_ratio(double pi4) { return 1.01 * pi4 / (recommended_mach * recommended_mach) - 4.0 / 3; }
-
-int usual_graded_columns(double fine_width, int elements_per_radius) {
-  const int fine_columns = std::max(1, static_cast<int>(std::lround(fine_width * elements_per_radius)));
-  return std::max(2, (fine_columns + 1) / 2);
-}
-
-double replicate_speed_factor(int replicate) {
-  const int step = (replicate + 1) / 2;
-  return 1 + (replicate % 2 == 1 ? 0.001 : -0.001) * step;
-}
 
 double round_to_12_digits(double x) { return std::strtod(fmt::format("{:.11e}", x).c_str(), nullptr); }
 

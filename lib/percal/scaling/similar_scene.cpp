@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "percal/scaling/similar.hpp"
+#include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
@@ -48,7 +49,7 @@ SystemInput system_of(const Scene& scene) {
   system.mu = true_modulus(layer.mu_as_given, layer.alpha, layer.convention);
   system.alpha = layer.alpha;
   system.depth = layer.depth;
-  system.width = layer.width;
+  system.width = width_of(scene);
   if (const auto* erosion = std::get_if<StrainErosion>(&layer.erosion)) {
     input.measure = erosion->measure;
     system.erosion_strain = erosion->limit;
@@ -70,7 +71,7 @@ Scene similar_scene(const Scene& prototype_scene, const System& prototype, const
   scene.target.mu_as_given =
       modulus_as_given(required(model, &System::mu), scene.target.alpha, scene.target.convention);
   scene.target.depth = required(model, &System::depth);
-  scene.target.width = required(model, &System::width);
+  if (scene.target.width) scene.target.width = required(model, &System::width);  // else the same rule finds it
   scale_the_rest(scene, prototype, model);
   return scene;
 }

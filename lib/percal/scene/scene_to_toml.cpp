@@ -122,7 +122,7 @@ void write_target(Lines& lines, const LayerScene& target) {
   lines.number("alpha", target.alpha);
   write_volumetric(lines, target.volumetric);
   lines.quantity("depth", target.depth, "m");
-  lines.quantity("width", target.width, "m");
+  if (target.width) lines.quantity("width", *target.width, "m");
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
   if (!std::holds_alternative<NoErosion>(target.erosion)) {
     lines.table("target.erosion");
@@ -155,7 +155,7 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
 
 void write_mesh(Lines& lines, const MeshScene& mesh) {
   lines.table("mesh");
-  lines.integer("elements_per_radius", mesh.elements_per_radius);
+  lines.number("elements_per_radius", mesh.elements_per_radius);
   lines.number("fine_width", mesh.fine_width);
   if (mesh.graded_columns) lines.integer("graded_columns", *mesh.graded_columns);
   lines.flag("whole", mesh.whole);

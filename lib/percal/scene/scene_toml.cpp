@@ -7,6 +7,7 @@
 
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
+#include "percal/scene/width.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
@@ -127,7 +128,7 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
   target.volumetric = volumetric_from(table);
   target.depth = table.quantity("depth", dimension::length, depth);
   const double widest = reach(particle, geometry);
-  target.width = table.quantity(
+  target.width = table.optional_quantity(
       "width", dimension::length,
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
@@ -154,7 +155,6 @@ std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, co
 }
 
 constexpr double largest_time_step = 1.2;  // beyond it nothing is stable; docs/formats/scene.md
-constexpr int most_elements_per_radius = 1000;
 constexpr int most_graded_columns = 10000;
 constexpr int most_replicates = 1000;
 
@@ -165,9 +165,8 @@ Choice choice(const TomlTable& table, const char* key, const std::vector<std::st
 
 MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
   MeshScene mesh;
-  mesh.elements_per_radius =
-      table.integer("elements_per_radius", 1, most_elements_per_radius, mesh.elements_per_radius);
-  const double width_in_radii = scene.target.width / scene.particle.radius;
+  mesh.elements_per_radius = table.number("elements_per_radius", elements_per_radius_range(), mesh.elements_per_radius);
+  const double width_in_radii = width_of(scene) / scene.particle.radius;
   constexpr double rounding = 1 + 1e-12;  // of width/radius
   const Range within_target{
       .low = 0,
@@ -232,6 +231,8 @@ VolumetricChoice volumetric_from(const TomlTable& table) {
   if (ratio) return BulkToShear{*ratio};
   return ChooseBulk{};
 }
+
+Range elements_per_radius_range() { return {.low = 1, .high = 1000, .words = "a number from 1 to 1000"}; }
 
 SolverScene solver_from(const TomlTable& table) {
   SolverScene solver;

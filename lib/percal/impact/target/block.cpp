@@ -30,7 +30,18 @@ std::vector<LayerRows> layers_of(const Problem& problem, const GradedMesh& mesh)
   return layers;
 }
 
+int relaxing_terms_of(const Problem& problem) {
+  const auto* series = std::get_if<PronySeries>(&problem.relaxation);
+  return series ? std::min(static_cast<int>(series->terms.size()), most_relaxing_terms) : 0;
+}
+
 }  // namespace
+
+int fields_per_element(const Problem& problem) {
+  const int terms = relaxing_terms_of(problem);
+  return 12 + (problem.rates == 2 ? 2 : 0) + (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) +
+         (terms > 0 ? 4 * (terms + 2) : 0);
+}
 
 template <class Real>
 void Block<Real>::Free::operator()(void* memory) const {
@@ -64,9 +75,8 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
   const std::size_t bytes = (entries_ + line) / line * line * sizeof(Real);
   const bool with_near_forces = problem.rates == 2;
   const bool viscous_hourglass = problem.hourglass_form == HourglassForm::viscosity;
-  const auto* series = std::get_if<PronySeries>(&problem.relaxation);
-  const int terms = series ? std::min(static_cast<int>(series->terms.size()), most_relaxing_terms) : 0;
-  const int fields = 12 + (with_near_forces ? 2 : 0) + (viscous_hourglass ? 2 : 0) + (terms > 0 ? 4 * (terms + 2) : 0);
+  const int terms = relaxing_terms_of(problem);
+  const int fields = fields_per_element(problem);
   bytes_ = bytes * fields + entries_;
   memory_.reset(std::aligned_alloc(64, bytes * fields));
   if (!memory_) throw std::bad_alloc();

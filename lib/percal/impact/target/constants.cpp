@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "percal/impact/settings.hpp"
+#include "percal/problem/domain.hpp"
 
 namespace percal {
 namespace {
@@ -67,8 +68,7 @@ ErosionKind erosion_kind_of(const Erosion& erosion) {
 }  // namespace
 
 GradedMesh mesh_of(const Problem& p) {
-  const GradedMesh right =
-      graded_mesh({p.elements_per_radius, p.fine_width, p.graded_columns, p.width, p.whole_depth()});
+  const GradedMesh right = graded_mesh(mesh_options(p));
   return p.whole ? mirrored(right) : right;
 }
 
