@@ -4,9 +4,13 @@
 namespace percal::PERCAL_LEVEL {
 
 template <class Real>
-constexpr Kernel<Real> table_of_functions{internal_forces<Real>, internal_forces_general<Real>,
-                                          sphere_contact<Real>,  polygon_contact<Real>,
-                                          kick_and_drift<Real>,  Lane<typename VectorOf<Real>::type>::count};
+constexpr Kernel<Real> table_of_functions{internal_forces<Real>,
+                                          internal_forces_averaged<Real>,
+                                          internal_forces_general<Real>,
+                                          sphere_contact<Real>,
+                                          polygon_contact<Real>,
+                                          kick_and_drift<Real>,
+                                          Lane<typename VectorOf<Real>::type>::count};
 
 extern const Kernel<float> single_kernel;
 extern const Kernel<double> double_kernel;

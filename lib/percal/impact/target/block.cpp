@@ -66,7 +66,9 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
   const bool viscous_hourglass = problem.hourglass_form == HourglassForm::viscosity;
   const auto* series = std::get_if<PronySeries>(&problem.relaxation);
   const int terms = series ? std::min(static_cast<int>(series->terms.size()), most_relaxing_terms) : 0;
-  const int fields = 12 + (with_near_forces ? 2 : 0) + (viscous_hourglass ? 2 : 0) + (terms > 0 ? 4 * (terms + 2) : 0);
+  const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
+  const int fields = 12 + (averaged ? 1 : 0) + (with_near_forces ? 2 : 0) + (viscous_hourglass ? 2 : 0) +
+                     (terms > 0 ? 4 * (terms + 2) : 0);
   bytes_ = bytes * fields + entries_;
   memory_.reset(std::aligned_alloc(64, bytes * fields));
   if (!memory_) throw std::bad_alloc();
@@ -82,6 +84,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            .jacobian = field(),
            .viscous_pressure = field(),
            .erosion_measure = field(),
+           .foreseen_measure = averaged ? field() : nullptr,
            .alive = field(),
            .stride = stride};
   look_ = {view_.u_r,
@@ -93,6 +96,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            view_.jacobian,
            view_.viscous_pressure,
            view_.erosion_measure,
+           view_.foreseen_measure,
            view_.alive,
            stride};
   far_ = {field(), field()};
@@ -115,10 +119,8 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
 template <class Real>
 void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass) {
   const int columns = mesh_.columns(), rows = mesh_.rows;
-  const bool by_load =
-      std::holds_alternative<StressErosion>(problem.erosion) || std::holds_alternative<EnergyErosion>(problem.erosion);
   std::fill_n(view_.jacobian, entries_, Real(1));
-  std::fill_n(view_.erosion_measure, entries_, Real(by_load ? 0 : 1));
+  std::fill_n(view_.erosion_measure, entries_, Real(erosion_kind_of(problem) == ErosionKind::stretch ? 1 : 0));
   column_mass_.assign(columns + 1, 0);
   row_density_.assign(rows + 1, 0);
   row_contact_.assign(rows + 1, 0);

@@ -159,6 +159,9 @@ Section result_section(const Json& result) {
                             (yes(result, "bulk_was_chosen") ? ", chosen by the program" : ", given"));
   row("Mach number", shown(number(result, "mach"), 3));
   row("elements", with_words(shown(number(result, "elements"), 9), shown(per_radius) + " per radius"));
+  row("erosion judged over",
+      with_words(length(number(result, "erosion_length_m")),
+                 "elements of " + shown(number(result, "element_over_erosion_length"), 3) + " of it"));
   if (const Json& fields = at(result, "fields"); !fields.is_null())
     row("fields of the first run",
         text(fields, "list") + ", " + counted(static_cast<long>(number_or(fields, "frames", 0)), "frame"));
