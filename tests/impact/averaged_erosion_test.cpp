@@ -22,7 +22,7 @@ Problem averaged(Problem p, double length) {
 
 // The mean of the bell over the ring, point by point.
 double by_points(double radius, double ring, double apart, double length) {
-  constexpr int points = 200000;
+  constexpr int points = 20000;
   double sum = 0;
   for (int k = 0; k < points; ++k) {
     const double angle = M_PI * (k + 0.5) / points;
@@ -101,7 +101,7 @@ TEST(AveragedErosion, IsTheSumOverLiveElementsWithTheirVolumes) {
       for (const int row : {1, 11}) {
         double sum = 0, whole = 0;
         for (int i = 0; i < mesh.columns(); ++i)
-          for (int j = 0; j < mesh.rows; ++j) {
+          for (int j = std::max(0, row - 4); j < row + 5; ++j) {
             const double apart = (j - row) * mesh.row_height, width = mesh.radius[i + 1] - mesh.radius[i];
             const auto bell = [&](double along) {
               return std::pow(std::max(0.0, 1 - (along * along + apart * apart) / (1.2 * 1.2)), 2);

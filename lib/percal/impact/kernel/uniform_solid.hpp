@@ -80,7 +80,7 @@ struct AveragedLimit {
     if (again) return live & ~live;  // a second look at one moment decides nothing
     const V foreseen = now + Real(1.5) * change;
     store(foreseen_measure + j, foreseen);
-    const auto gone = live & (state < Real(1)), beyond = live & ~gone & (foreseen > limit);
+    const auto gone = live & (state < Real(candidate)), beyond = live & ~gone & (foreseen > limit);
     if (__builtin_expect(any(beyond), 0))
       for (int l = 0; l < Lane<V>::count; ++l)
         if (beyond[l]) {
