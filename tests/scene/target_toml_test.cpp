@@ -59,7 +59,7 @@ TEST(TargetToml, ALengthOfErosionIsRefusedTwiceBesideStressAndBelow) {
   EXPECT_THAT(refusal_with(erosion + "length = 0.4\n"), HasSubstr("without a unit"));
   EXPECT_THAT(refusal_with(erosion + "length_in_radii = 0\n"), HasSubstr("a positive number of radii"));
   EXPECT_THAT(refusal_with(erosion + layer + "[below.erosion]\nstrain = 0.4\nlength = \"0.4 mm\"\n"),
-              HasSubstr("below.erosion.length"));
+              HasSubstr("below[1].erosion.length: found an unknown key"));
 }
 
 TEST(TargetToml, AMeshWithFewerThanThreeElementsInTheLengthIsRefused) {
