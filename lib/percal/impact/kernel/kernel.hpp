@@ -131,7 +131,7 @@ struct ColumnReport {
   double largest_inverse_step = 0;  // 1/dt of the stable step, over live elements
   double smallest_jacobian = 1e30;  // over live elements
   int doomed = 0;                   // elements marked with alive below 0
-  int candidates = 0;               // elements marked as such
+  Rows candidates{1 << 30, 0};      // the first and behind the last group that has elements marked as such
 };
 
 // A watch for elements that are too stiff for the step they take: flags[row / lanes] is set for those above inverse_step.
@@ -171,6 +171,12 @@ struct ContactNodes {
   Rows rows;
 };
 
+// Over elements of an average.
+struct WeightedSum {
+  double share = 0;  // of weight x measure over limit
+  double weight = 0;
+};
+
 template <class Real>
 struct Kernel {
   // Sets the corner forces of column i's elements in these rows; marks the elements that are to be taken out, which give none.
@@ -194,6 +200,10 @@ struct Kernel {
   // v += kick f/m, u += drift v for the nodes of column i. Where `held` the column moves along z only.
   void (*kick_and_drift)(const FieldsView<Real>&, const NodeForces<Real>&, int column, Rows, bool held, double kick,
                          double drift);
+  // Over `count` elements of a column that live and have a limit, per_limit > 0. Weights must be 0 from `count` on, or elements dead;
+  // one group of lanes behind all arrays is read.
+  WeightedSum (*weighted_sum)(const Real* alive, const Real* measure, const Real* per_limit, const Real* weights,
+                              int count);
   int lanes;  // rows are handled in groups of this many; arrays are padded accordingly
 };
 

@@ -1,5 +1,6 @@
 // The kernel for one instruction level: compiled once for each, with PERCAL_LEVEL naming it (cmake/PercalKernel.cmake).
 #include "percal/impact/kernel/contact_and_motion.hpp"
+#include "percal/impact/kernel/weighted_sum.hpp"
 
 namespace percal::PERCAL_LEVEL {
 
@@ -10,6 +11,7 @@ constexpr Kernel<Real> table_of_functions{internal_forces<Real>,
                                           sphere_contact<Real>,
                                           polygon_contact<Real>,
                                           kick_and_drift<Real>,
+                                          weighted_sum<Real>,
                                           Lane<typename VectorOf<Real>::type>::count};
 
 extern const Kernel<float> single_kernel;

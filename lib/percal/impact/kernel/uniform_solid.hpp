@@ -81,12 +81,12 @@ struct AveragedLimit {
     const V foreseen = now + Real(1.5) * change;
     store(foreseen_measure + j, foreseen);
     const auto gone = live & (state < Real(candidate)), beyond = live & ~gone & (foreseen > limit);
-    if (__builtin_expect(any(beyond), 0))
+    if (__builtin_expect(any(beyond), 0)) {
       for (int l = 0; l < Lane<V>::count; ++l)
-        if (beyond[l]) {
-          alive[j + l] = Real(candidate);
-          ++report.candidates;
-        }
+        if (beyond[l]) alive[j + l] = Real(candidate);
+      if (report.candidates.empty()) report.candidates.begin = j;
+      report.candidates.end = j + Lane<V>::count;
+    }
     return gone;
   }
 };

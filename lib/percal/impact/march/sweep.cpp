@@ -67,9 +67,9 @@ SweepReport Sweep<Real>::all(const NearCells& near, int rows, double last_far_st
   for (int i = 0; i < columns; ++i) {
     take_in(far_reports_[i], sum.far_inverse_step, sum);
     if (!near.empty()) take_in(near_reports_[i], sum.near_inverse_step, sum);
-    const ColumnReport& near_report = near.empty() ? ColumnReport{} : near_reports_[i];
-    if (far_reports_[i].doomed + near_report.doomed > 0) sum.doomed_columns.push_back(i);
-    if (far_reports_[i].candidates + near_report.candidates > 0) averaged_.judge(block_, i, {0, rows});
+    if (far_reports_[i].doomed + (near.empty() ? 0 : near_reports_[i].doomed) > 0) sum.doomed_columns.push_back(i);
+    averaged_.judge(block_, i, far_reports_[i].candidates);
+    if (!near.empty()) averaged_.judge(block_, i, near_reports_[i].candidates);
   }
   return sum;
 }
@@ -87,8 +87,7 @@ SweepReport Sweep<Real>::near_only(const NearCells& near, double last_step) {
   for (int i = 0; i < columns; ++i) {
     take_in(near_reports_[i], sum.near_inverse_step, sum);
     if (near_reports_[i].doomed > 0) sum.doomed_columns.push_back(i);
-    if (near_reports_[i].candidates > 0)
-      for (const Rows& run : near.elements(i)) averaged_.judge(block_, i, run);
+    averaged_.judge(block_, i, near_reports_[i].candidates);
   }
   return sum;
 }

@@ -74,6 +74,15 @@ double bell_of_ring(double radius, double ring, double apart, double length) {
 }
 
 template <class Real>
+std::vector<Real> AveragedErosion<Real>::padded(const std::vector<double>& by_rows_between) const {
+  std::vector<Real> weights(by_rows_between.rbegin(), by_rows_between.rend());
+  if (weights.empty()) return weights;
+  weights.insert(weights.end(), by_rows_between.begin() + 1, by_rows_between.end());
+  weights.resize(weights.size() + kernel_.lanes);
+  return weights;
+}
+
+template <class Real>
 AveragedErosion<Real>::AveragedErosion(const Problem& problem, const Block<Real>& block, const TargetSolid& solid) {
   if (solid.erosion_kind != ErosionKind::averaged_energy) return;
   const GradedMesh& mesh = block.mesh();
@@ -81,38 +90,36 @@ AveragedErosion<Real>::AveragedErosion(const Problem& problem, const Block<Real>
   for (int i = 0; i < mesh.columns(); ++i) {
     pairs_.emplace_back();
     for (int places = 0;; ++places) {
-      Pair pair{{weights.column_at(i - places), weights.of(i - places, i)}, {}};
-      if (places > 0) pair.right = {weights.column_at(i + places), weights.of(i + places, i)};
-      if (pair.left.weights.empty() && pair.right.weights.empty()) break;
+      Pair pair{{weights.column_at(i - places), padded(weights.of(i - places, i))}, {}};
+      if (places > 0) pair.right = {weights.column_at(i + places), padded(weights.of(i + places, i))};
+      if (!pair.left.is_there() && !pair.right.is_there()) break;
       pairs_.back().push_back(std::move(pair));
     }
   }
-  for (int j = 0; j < mesh.rows; ++j) per_limit_.push_back(solid.erodes(j) ? 1 / solid.of_row(j).erosion_limit : 0);
+  for (int j = 0; j < mesh.rows; ++j)
+    per_limit_.push_back(solid.erodes(j) ? Real(1 / solid.of_row(j).erosion_limit) : Real(0));
+  per_limit_.resize(mesh.rows + kernel_.lanes);
 }
 
 template <class Real>
-typename AveragedErosion<Real>::Sum AveragedErosion<Real>::sum_over(const Block<Real>& block,
-                                                                    const Neighbour& neighbour, int row) const {
-  Sum sum;
-  if (neighbour.weights.empty()) return sum;
+WeightedSum AveragedErosion<Real>::sum_over(const Block<Real>& block, const Neighbour& neighbour, int row) const {
+  if (!neighbour.is_there()) return {};
+  const int reach = (static_cast<int>(neighbour.weights.size()) - kernel_.lanes) / 2;
+  const int begin = std::max(0, row - reach), end = std::min(row + reach + 1, block.mesh().rows);
+  const long first = block.at(neighbour.column, begin);
   const auto& view = block.view();
-  const long first = block.at(neighbour.column, 0);
-  const int reach = static_cast<int>(neighbour.weights.size()) - 1;
-  const int end = std::min(row + reach + 1, block.mesh().rows);
-  for (int j = std::max(0, row - reach); j < end; ++j) {
-    const bool counts = view.alive[first + j] > 0 && per_limit_[j] > 0;
-    const double weight = counts ? neighbour.weights[std::abs(j - row)] : 0;
-    sum.share += weight * per_limit_[j] * view.foreseen_measure[first + j];
-    sum.weight += weight;
-  }
-  return sum;
+  return kernel_.weighted_sum(view.alive + first, view.foreseen_measure + first, per_limit_.data() + begin,
+                              neighbour.weights.data() + (begin - row + reach), end - begin);
 }
 
 template <class Real>
 double AveragedErosion<Real>::average_around(const Block<Real>& block, int column, int row) const {
-  Sum sum;
-  for (const Pair& pair : pairs_[column])
-    sum = sum + (sum_over(block, pair.left, row) + sum_over(block, pair.right, row));
+  WeightedSum sum;
+  for (const Pair& pair : pairs_[column]) {
+    const WeightedSum left = sum_over(block, pair.left, row), right = sum_over(block, pair.right, row);
+    sum.share += left.share + right.share;
+    sum.weight += left.weight + right.weight;
+  }
   return sum.share / sum.weight;
 }
 

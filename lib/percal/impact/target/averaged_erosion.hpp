@@ -25,23 +25,22 @@ class AveragedErosion {
   double average_around(const Block<Real>& block, int column, int row) const;
 
  private:
-  // Elements of a column, by the rows between: 0, 1, ... No weights where it is too far.
+  // Elements of a column, from as many rows above to as many below as are near enough, and zeros behind. No weights where none is.
   struct Neighbour {
     int column = -1;
-    std::vector<double> weights;
+    std::vector<Real> weights;
+    bool is_there() const { return !weights.empty(); }
   };
   // The columns as many places to the left and to the right. They are summed first, so that the mirrored scene has mirrored bits.
   struct Pair {
     Neighbour left, right;
   };
-  struct Sum {
-    double share = 0, weight = 0;
-    Sum operator+(const Sum& other) const { return {share + other.share, weight + other.weight}; }
-  };
-  Sum sum_over(const Block<Real>& block, const Neighbour& neighbour, int row) const;
+  std::vector<Real> padded(const std::vector<double>& by_rows_between) const;
+  WeightedSum sum_over(const Block<Real>& block, const Neighbour& neighbour, int row) const;
 
+  const Kernel<Real>& kernel_ = kernel<Real>();
   std::vector<std::vector<Pair>> pairs_;  // of each column
-  std::vector<double> per_limit_;         // of each row: 1/W_t, 0 where nothing erodes
+  std::vector<Real> per_limit_;           // of each row: 1/W_t, 0 where nothing erodes
 };
 
 }  // namespace percal
