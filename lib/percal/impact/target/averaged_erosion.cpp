@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "percal/impact/settings.hpp"
+
 namespace percal {
 namespace {
 
@@ -86,6 +88,7 @@ template <class Real>
 AveragedErosion<Real>::AveragedErosion(const Problem& problem, const Block<Real>& block, const TargetSolid& solid) {
   if (solid.erosion_kind != ErosionKind::averaged_energy) return;
   const GradedMesh& mesh = block.mesh();
+  largest_average_ += averaging_allowance * mesh.row_height;
   const Weights weights(problem, block.shapes(), mesh, std::get<AverageWithin>(problem.erosion_average).length);
   for (int i = 0; i < mesh.columns(); ++i) {
     pairs_.emplace_back();
@@ -129,7 +132,7 @@ void AveragedErosion<Real>::judge(Block<Real>& block, int column, Rows rows) con
   const int end = std::min(rows.end, block.mesh().rows);
   for (int j = rows.begin; j < end; ++j) {
     Real& alive = view.alive[block.at(column, j)];
-    if (alive == Real(candidate)) alive = Real(average_around(block, column, j) > 1 ? condemned : 1);
+    if (alive == Real(candidate)) alive = Real(average_around(block, column, j) > largest_average_ ? condemned : 1);
   }
 }
 

@@ -18,8 +18,12 @@ class AveragedErosion {
  public:
   AveragedErosion(const Problem& problem, const Block<Real>& block, const TargetSolid& solid);
 
-  // Condemns the candidates among these elements around which the average exceeds 1; the others are candidates no more.
+  // Condemns the candidates among these elements around which the average exceeds largest_average(); the others are candidates no
+  // more.
   void judge(Block<Real>& block, int column, Rows rows) const;
+
+  // 1, and more by what an element is too large to be a point: averaging_allowance of settings.hpp.
+  double largest_average() const { return largest_average_; }
 
   // The average of the foreseen energy over its limit, around a live element that can erode and over all of these within the length.
   double average_around(const Block<Real>& block, int column, int row) const;
@@ -39,6 +43,7 @@ class AveragedErosion {
   WeightedSum sum_over(const Block<Real>& block, const Neighbour& neighbour, int row) const;
 
   const Kernel<Real>& kernel_ = kernel<Real>();
+  double largest_average_ = 1;
   std::vector<std::vector<Pair>> pairs_;  // of each column
   std::vector<Real> per_limit_;           // of each row: 1/W_t, 0 where nothing erodes
 };
