@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "percal/base/error.hpp"
 #include "percal/math/polygon.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -214,6 +215,7 @@ TEST(Reduce, SimilarElasticSpheresErodingByEnergyAreOneProblem) {
     scene.geometry = Geometry::axisymmetric;
     scene.particle = {.name = "p", .radius = a, .density = 7 * rho, .speed = v, .youngs_modulus = 30 * rho * v * v};
     scene.target.erosion = EnergyErosion{0.2 * rho * v * v};
+    scene.target.erosion_average = AverageWithin{0.3 * a};
     return scene;
   };
   EXPECT_TRUE(std::holds_alternative<ElasticSphere>(reduce(sphere(1, 1, 1)).problem.particle));
@@ -242,6 +244,31 @@ TEST(Reduce, StrainLimitsStayAndALayerWithoutALimitDoesNotErode) {
   EXPECT_EQ(reduce(scene).problem.below[0].erosion_limit, 0.9);
   scene.below[0].erosion_limit.reset();
   EXPECT_EQ(reduce(scene).problem.below[0].erosion_limit, std::numeric_limits<double>::infinity());
+}
+
+TEST(Reduce, ALengthOfErosionIsInRadiiAndOneAboveARadiusWarns) {
+  Scene scene = scene_of(thesis_rhombus, "plane strain", "length = \"1.2 mm\"\n");
+  EXPECT_EQ(std::get<AverageWithin>(reduce(scene).problem.erosion_average).length, 0.4);
+  EXPECT_THAT(reduce(scene).warnings, IsEmpty());
+  scene.target.erosion_average = AverageWithin{4e-3};
+  EXPECT_THAT(reduce(scene).warnings, ElementsAre(HasSubstr("erosion is judged over 1.33 radii")));
+  scene.target.erosion = NoErosion{};
+  EXPECT_TRUE(std::holds_alternative<NoAverage>(reduce(scene).problem.erosion_average));
+}
+
+// Whoever changes the mesh after the scene was read is told as well.
+TEST(Reduce, AMeshTooCoarseForTheLengthOfErosionIsRefused) {
+  Scene scene = scene_of(thesis_rhombus, "plane strain", "length = \"1.2 mm\"\n");
+  scene.mesh.elements_per_radius = 8;  // 3.2 elements
+  EXPECT_NO_THROW(reduce(scene));
+  scene.mesh.elements_per_radius = 7;
+  try {
+    reduce(scene);
+    FAIL();
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("target.erosion.length: found 1.2 mm (0.4 radii), 2.8 elements of 1/7"));
+    EXPECT_THAT(error.what(), HasSubstr("or elements_per_radius = 8"));
+  }
 }
 
 TEST(Mach, IsThatOfTheLayerWithTheSlowestWaves) {

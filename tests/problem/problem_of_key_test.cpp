@@ -23,6 +23,7 @@ class RandomProblems {
     p.geometry = choice(4) ? Geometry::axisymmetric : Geometry::plane_strain;
     p.whole = p.geometry == Geometry::plane_strain && choice(2);
     p.erosion = erosion();
+    if (choice(3) == 0) p.erosion_average = AverageWithin{number_of_any_size()};
     p.elements_per_radius = round_to_12_digits(1 + choice(60) + choice(100) / 99.0);
     p.graded_columns = choice(40);
     p.hourglass_form = choice(2) ? HourglassForm::viscosity : HourglassForm::stiffness;

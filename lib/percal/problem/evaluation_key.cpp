@@ -64,6 +64,8 @@ std::string choices_text(const Problem& p) {
   if (p.volumetric_law == VolumetricLaw::quadratic) text += " volumetric=quadratic";
   if (p.volumetric_law == VolumetricLaw::logarithmic) text += " volumetric=logarithmic";
   if (p.eroded_nodes == ErodedNodes::in_contact) text += " eroded-nodes-in-contact";
+  if (const auto* average = std::get_if<AverageWithin>(&p.erosion_average))
+    text += fmt::format(" length={:.12g}", average->length);
   if (p.rates != 2) text += fmt::format(" rates={}", p.rates);
   return text;
 }
@@ -166,6 +168,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.volumetric_law = volumetric_law_of(words.text("volumetric"));
   if (words.alone.contains("hourglass-viscosity")) p.hourglass_form = HourglassForm::viscosity;
   if (words.alone.contains("eroded-nodes-in-contact")) p.eroded_nodes = ErodedNodes::in_contact;
+  if (words.values.contains("length")) p.erosion_average = AverageWithin{words.number("length")};
   if (words.values.contains("rates")) p.rates = static_cast<int>(words.number("rates"));
   if (evaluation_key(p, instruction_level) != key) return std::nullopt;
   return p;

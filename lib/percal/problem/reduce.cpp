@@ -8,6 +8,7 @@
 #include "percal/problem/domain.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/width.hpp"
 
@@ -15,6 +16,7 @@ namespace percal {
 namespace {
 
 constexpr int usual_history_samples = 400;
+constexpr double longest_sensible_average = 1;  // radii
 
 struct BulkRatio {
   double pi4;
@@ -51,6 +53,20 @@ struct ReducedErosion {
     return EnergyErosion{round_to_12_digits(erosion.limit / stress)};
   }
 };
+
+// The average where something erodes, in radii. Throws BadInput where the mesh is too coarse for it.
+ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
+  const auto length = erosion_length(scene.target);
+  if (!length || std::holds_alternative<NoErosion>(scene.target.erosion)) return NoAverage{};
+  need_elements_in_erosion_length(scene, {.file = scene.source, .line = 0, .key = "target.erosion.length"});
+  const double radii = round_to_12_digits(*length / scene.particle.radius);
+  if (radii > longest_sensible_average)
+    reduction.warnings.push_back(
+        fmt::format("erosion is judged over {:.3g} radii: over more than one, the average hardly tells the tip of the "
+                    "channel from its wall",
+                    radii));
+  return AverageWithin{radii};
+}
 
 // The limit of a layer below, as the first one's is meant.
 double lower_limit(const LowerLayerScene& layer, const Erosion& first, double stress) {
@@ -148,6 +164,7 @@ Reduction reduce(const Scene& scene) {
   p.particle = reduced_particle(scene, p.density_ratio);
   p.below = layers_below(scene, stress, reduction);
   p.erosion = std::visit(ReducedErosion{stress}, target.erosion);
+  p.erosion_average = reduced_average(scene, reduction);
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);
   take_solver(scene, p);

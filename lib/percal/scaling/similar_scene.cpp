@@ -8,7 +8,7 @@
 namespace percal {
 namespace {
 
-// Profile, lower layers, erosion limits and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
+// Profile, lower layers, erosion and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
 void scale_the_rest(Scene& scene, const System& prototype, const System& model) {
   const auto ratio = [&](auto member) { return required(model, member) / required(prototype, member); };
   const double length = ratio(&System::radius), density = ratio(&System::target_density), pressure = ratio(&System::mu);
@@ -27,6 +27,7 @@ void scale_the_rest(Scene& scene, const System& prototype, const System& model) 
   }
   if (auto* stress = std::get_if<StressErosion>(&scene.target.erosion)) stress->limit *= pressure;
   if (auto* energy = std::get_if<EnergyErosion>(&scene.target.erosion)) energy->limit *= pressure;
+  if (auto* average = std::get_if<AverageWithin>(&scene.target.erosion_average)) average->length *= length;
   if (auto* series = std::get_if<PronySeries>(&scene.target.relaxation))
     for (PronyTerm& term : series->terms) term.time = map_time(term.time, prototype, model);
   if (scene.solver.end_time) scene.solver.end_time = map_time(*scene.solver.end_time, prototype, model);

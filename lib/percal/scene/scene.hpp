@@ -49,6 +49,18 @@ struct EnergyErosion {
 };
 using Erosion = std::variant<NoErosion, StrainErosion, StressErosion, EnergyErosion>;
 
+// --- over what erosion is judged --------------------------------------------------------------------------------
+// Each element by its own value.
+struct NoAverage {
+  bool operator==(const NoAverage&) const = default;
+};
+// Besides by the average of the stored energy over its limit, within this length: docs/theory/impact.md (23).
+struct AverageWithin {
+  double length;  // m in a scene, radii in a problem
+  bool operator==(const AverageWithin&) const = default;
+};
+using ErosionAverage = std::variant<NoAverage, AverageWithin>;
+
 // --- relaxation -------------------------------------------------------------------------------------------------
 struct NoRelaxation {
   bool operator==(const NoRelaxation&) const = default;
@@ -107,6 +119,7 @@ struct LayerScene {
   std::optional<double> width;  // m, radius of the fixed outer wall; left out: scene/width.hpp
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
+  ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
   bool operator==(const LayerScene&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "percal/math/polygon.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/scene_toml.hpp"
 
@@ -128,6 +129,7 @@ void write_target(Lines& lines, const LayerScene& target) {
     lines.table("target.erosion");
     std::visit(WriteLimit{lines, std::visit(LimitOf{}, target.erosion)}, target.erosion);
     if (const auto* strain = std::get_if<StrainErosion>(&target.erosion)) lines.word("measure", word(strain->measure));
+    if (const auto length = erosion_length(target)) lines.quantity("length", *length, "m");
   }
   if (const auto* series = std::get_if<PronySeries>(&target.relaxation)) {
     for (const PronyTerm& term : series->terms) {

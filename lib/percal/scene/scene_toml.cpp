@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/width.hpp"
@@ -52,6 +53,29 @@ Erosion read_erosion(const TomlTable& target) {
   if (key == "stress") return StressErosion{limit};
   if (key == "energy") return EnergyErosion{limit};
   return StrainErosion{limit, measure};
+}
+
+// Which of the two keys of the length is given; empty: neither.
+std::string erosion_length_key(const TomlTable& erosion) {
+  for (const char* key : {"length", "length_in_radii"})
+    if (erosion.has(key)) return key;
+  return "";
+}
+
+ErosionAverage read_erosion_average(const TomlTable& target, const ParticleScene& particle) {
+  const auto table = target.optional_table("erosion");
+  if (!table) return NoAverage{};
+  const auto length = table->optional_quantity("length", dimension::length, positive("length"));
+  const auto in_radii = table->optional_number("length_in_radii", positive("number of radii"));
+  if (length && in_radii)
+    table->refuse("length_in_radii", "this beside length",
+                  "one of the two, or neither: each element is then judged by itself");
+  if (!length && !in_radii) return NoAverage{};
+  if (table->has("stress"))
+    table->refuse(
+        erosion_length_key(*table), "this beside stress",
+        "a length beside strain or energy: what is averaged is the energy, and a limit of stress is none of it");
+  return AverageWithin{length ? *length : *in_radii * particle.radius};
 }
 
 Relaxation read_relaxation(const TomlTable& target) {
@@ -133,6 +157,7 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
   target.erosion = read_erosion(table);
+  target.erosion_average = read_erosion_average(table, particle);
   target.relaxation = read_relaxation(table);
   return target;
 }
@@ -265,6 +290,10 @@ Scene scene_from(const TomlTable& table) {
   scene.below = read_below(table, target, scene);
   if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, scene);
   if (scene.geometry == Geometry::plane_strain && needs_both_halves(scene.particle)) scene.mesh.whole = true;
+  if (erosion_length(scene.target)) {
+    const TomlTable erosion = target.table("erosion");
+    need_elements_in_erosion_length(scene, erosion.place(erosion_length_key(erosion)));
+  }
   if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver);
   if (const auto output = table.optional_table("output"))
     scene.output.history = output->flag("history", scene.output.history);

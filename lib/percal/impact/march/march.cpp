@@ -25,7 +25,7 @@ class March {
         limits_(step_limits(problem)),
         block_(problem, mesh_of(problem), limits_.contact_stiffness_per_mass, kernel_.lanes),
         solid_(problem, block_.layers()),
-        sweep_(block_, kernel_, solid_, threads),
+        sweep_(problem, block_, kernel_, solid_, threads),
         particle_(problem),
         recorder_(problem.history_samples),
         observer_(observer),

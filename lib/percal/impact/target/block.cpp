@@ -39,7 +39,8 @@ int relaxing_terms_of(const Problem& problem) {
 
 int fields_per_element(const Problem& problem) {
   const int terms = relaxing_terms_of(problem);
-  return 12 + (problem.rates == 2 ? 2 : 0) + (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) +
+  const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
+  return 12 + (averaged ? 1 : 0) + (problem.rates == 2 ? 2 : 0) + (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) +
          (terms > 0 ? 4 * (terms + 2) : 0);
 }
 
@@ -92,6 +93,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            .jacobian = field(),
            .viscous_pressure = field(),
            .erosion_measure = field(),
+           .foreseen_measure = averaged ? field() : nullptr,
            .alive = field(),
            .stride = stride};
   look_ = {view_.u_r,
@@ -103,6 +105,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            view_.jacobian,
            view_.viscous_pressure,
            view_.erosion_measure,
+           view_.foreseen_measure,
            view_.alive,
            stride};
   far_ = {field(), field()};
@@ -125,10 +128,8 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
 template <class Real>
 void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass) {
   const int columns = mesh_.columns(), rows = mesh_.rows;
-  const bool by_load =
-      std::holds_alternative<StressErosion>(problem.erosion) || std::holds_alternative<EnergyErosion>(problem.erosion);
   std::fill_n(view_.jacobian, entries_, Real(1));
-  std::fill_n(view_.erosion_measure, entries_, Real(by_load ? 0 : 1));
+  std::fill_n(view_.erosion_measure, entries_, Real(erosion_kind_of(problem) == ErosionKind::stretch ? 1 : 0));
   column_mass_.assign(columns + 1, 0);
   row_density_.assign(rows + 1, 0);
   row_contact_.assign(rows + 1, 0);

@@ -3,6 +3,7 @@
 #include "percal/observe/history.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/replicates.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene_toml.hpp"
 
 namespace percal {
@@ -110,6 +111,8 @@ Json impact_to_json(const ImpactFindings& f) {
                  {"bulk_was_chosen", f.reduction.bulk_was_chosen},
                  {"mach", f.reduction.mach},
                  {"mesh", mesh_to_json(f.reduction)},
+                 {"erosion_length_m", finite(erosion_length(f.scene.target))},
+                 {"element_over_erosion_length", finite(element_over_erosion_length(f.scene))},
                  {"fields", f.fields ? Json{{"list", f.fields->list}, {"frames", f.fields->frames}} : Json(nullptr)},
                  {"picture", text_or_null(f.picture)},
                  {"accuracy", f.accuracy ? accuracy_to_json(*f.accuracy) : Json(nullptr)},

@@ -173,6 +173,9 @@ Section result_section(const Json& result) {
                  fmt::format("{} of them graded ({}), each {} times the last", shown(number(mesh, "graded_columns")),
                              yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given",
                              shown(number(mesh, "growth"), 3))));
+  row("erosion judged over",
+      with_words(length(number(result, "erosion_length_m")),
+                 "elements of " + shown(number(result, "element_over_erosion_length"), 3) + " of it"));
   if (const Json& fields = at(result, "fields"); !fields.is_null())
     row("fields of the middle run",
         text(fields, "list") + ", " + counted(static_cast<long>(number_or(fields, "frames", 0)), "frame"));
