@@ -25,12 +25,11 @@ struct EnergyLedger {
   double viscosity = 0;         // taken by the bulk viscosity
   double relaxation = 0;        // work of the stresses that relax: lost, or not yet; `elastic` is then what lasts
   double eroded = 0;            // stored in elements when they were taken out
-  double contact = 0;           // stored in contact springs
-  double contact_dropped = 0;   // stored in contact springs of nodes when their last element was taken out
+  double collisions = 0;        // lost where nodes of the target met the particle
 
   double sum() const;
   double closure() const { return sum() - 1; }                           // the solver's own energy error
-  double numerical_loss() const { return viscosity + contact_dropped; }  // no part of the physics asked for
+  double numerical_loss() const { return viscosity + collisions; }  // no part of the physics asked for
 };
 
 // Every term of the ledger with its key in results and its words on pages, in the order in which sum() adds them.
@@ -49,8 +48,7 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"viscosity", &EnergyLedger::viscosity, "bulk viscosity"},
     {"relaxation", &EnergyLedger::relaxation, "relaxation"},
     {"eroded", &EnergyLedger::eroded, "eroded elements"},
-    {"contact", &EnergyLedger::contact, "contact springs"},
-    {"contact_dropped", &EnergyLedger::contact_dropped, "contact springs dropped at erosion"}};
+    {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"}};
 
 struct HistoryPoint {
   double time;               // radii over impact speed
@@ -76,7 +74,6 @@ struct ImpactResult {
   long distorted = 0;  // of these: taken out because J or the step became too small, not by their strain
   double smallest_jacobian = 1;
   double smallest_step = 0;  // over the first
-  double largest_gap = 0;    // deepest overlap of a node with the sphere, in element sizes
   EnergyLedger energy;
   double helper_cpu_seconds = 0;      // processor time of threads besides the calling one
   std::vector<HistoryPoint> history;  // empty unless asked for

@@ -16,7 +16,7 @@ inline constexpr double largest_travel = 0.5;
 
 // A run whose step falls below this share of the first is unstable. Larger: stiff cases that would end well are given
 // up. Smaller: a hopeless one takes hours to say so.
-inline constexpr double collapsed_step = 1e-5;
+inline constexpr double collapsed_step = 1e-4;
 
 // A run that has not ended after so many long steps is called off.
 inline constexpr long most_steps = 50'000'000;
@@ -55,10 +55,6 @@ inline constexpr double distorted_step = 0.016;
 // J.
 inline constexpr double inverted_jacobian = 1e-3;
 
-// A run with a node further inside the particle, in radii, is unstable: its springs no longer push it out the way it
-// came.
-inline constexpr double lost_contact = 0.5;
-
 // A run that makes or loses a larger share of the impact energy is unstable.
 inline constexpr double tolerated_energy_error = 0.05;
 
@@ -79,6 +75,9 @@ inline constexpr int search_interval = 32;
 // missed.
 inline constexpr double search_radius = 2.2;
 
+// A node with as little way out as this, squared, between two sides that face each other is left where it is.
+inline constexpr double flattest_way_out = 1e-3;
+
 // --- an elastic particle (docs/theory/elastic_particle.md) ---
 
 // On its radius, however coarse the target. Fewer: its lowest frequencies, and with them what it stores, are wrong.
@@ -92,9 +91,6 @@ inline constexpr double particle_step_factor = 0.8;
 // long.
 inline constexpr int particle_step_interval = 8;
 inline constexpr double particle_step_change = 0.02;
-
-// On the contact springs of its nodes, in the step: those of the next look may be stiffer than the stiffest so far.
-inline constexpr double particle_spring_margin = 4;
 
 // Its own steps in one of the march's; one that needs more is not run, for a rigid one will do.
 inline constexpr int most_particle_steps = 200;

@@ -13,19 +13,18 @@ namespace {
 
 // Layers take whole rows; the last one takes what is left.
 std::vector<LayerRows> layers_of(const Problem& problem, const GradedMesh& mesh) {
-  const std::vector<double> contact = contact_stiffness_ratios(problem);
   std::vector<LayerRows> layers;
   double bottom = problem.depth;
   int begin = 0;
   const auto end_at = [&](double depth) {
     return std::clamp(static_cast<int>(std::lround(depth / mesh.row_height)), begin, mesh.rows);
   };
-  layers.push_back({begin, problem.below.empty() ? mesh.rows : end_at(bottom), 1, 1});
+  layers.push_back({begin, problem.below.empty() ? mesh.rows : end_at(bottom), 1});
   for (const LowerLayer& layer : problem.below) {
     begin = layers.back().end;
     bottom += layer.depth;
     layers.push_back(
-        {begin, &layer == &problem.below.back() ? mesh.rows : end_at(bottom), layer.density, contact[layers.size()]});
+        {begin, &layer == &problem.below.back() ? mesh.rows : end_at(bottom), layer.density});
   }
   return layers;
 }
@@ -38,7 +37,7 @@ void Block<Real>::Free::operator()(void* memory) const {
 }
 
 template <class Real>
-Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contact_stiffness_per_mass, int lanes)
+Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, int lanes)
     : mesh_(mesh), layers_(layers_of(problem, mesh)) {
   const bool plane = problem.geometry == Geometry::plane_strain;
   for (int i = 0; i < mesh.columns(); ++i) {
@@ -50,7 +49,7 @@ Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contac
                        .at_axis = !plane && i == 0});
   }
   allocate(lanes, problem);
-  fill(problem, contact_stiffness_per_mass);
+  fill(problem);
 }
 
 template <class Real>
@@ -78,7 +77,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            .v_r = field(),
            .v_z = field(),
            .inverse_mass = field(),
-           .contact_stiffness = field(),
+           .touchable = field(),
            .jacobian = field(),
            .viscous_pressure = field(),
            .erosion_measure = field(),
@@ -89,7 +88,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            view_.v_r,
            view_.v_z,
            view_.inverse_mass,
-           view_.contact_stiffness,
+           view_.touchable,
            view_.jacobian,
            view_.viscous_pressure,
            view_.erosion_measure,
@@ -113,7 +112,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
 }
 
 template <class Real>
-void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass) {
+void Block<Real>::fill(const Problem& problem) {
   const int columns = mesh_.columns(), rows = mesh_.rows;
   const bool by_load =
       std::holds_alternative<StressErosion>(problem.erosion) || std::holds_alternative<EnergyErosion>(problem.erosion);
@@ -121,13 +120,9 @@ void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass
   std::fill_n(view_.erosion_measure, entries_, Real(by_load ? 0 : 1));
   column_mass_.assign(columns + 1, 0);
   row_density_.assign(rows + 1, 0);
-  row_contact_.assign(rows + 1, 0);
   for (const LayerRows& layer : layers_)
     for (int j = layer.begin; j < layer.end; ++j)
-      for (int q = j; q <= j + 1; ++q) {
-        row_density_[q] += 0.5 * layer.density;
-        row_contact_[q] += 0.5 * layer.density * layer.contact;
-      }
+      for (int q = j; q <= j + 1; ++q) row_density_[q] += 0.5 * layer.density;
   for (int i = 0; i < columns; ++i) {
     const double corner_mass = shapes_[i].thickness * shapes_[i].width * mesh_.row_height / 4;
     column_mass_[i] += 2 * corner_mass;
@@ -143,9 +138,9 @@ void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass
     for (int j = 0; j <= rows; ++j) {
       const double m = mass(i, j);
       const bool at_wall = i == columns || (problem.whole && i == 0);
-      view_.inverse_mass[at(i, j)] = at_wall || j > last_moving_row ? Real(0) : static_cast<Real>(1 / m);
-      view_.contact_stiffness[at(i, j)] =
-          static_cast<Real>(contact_stiffness_per_mass * (column_mass_[i] * row_contact_[j]));
+      const bool is_free = !at_wall && j <= last_moving_row;
+      view_.inverse_mass[at(i, j)] = is_free ? static_cast<Real>(1 / m) : Real(0);
+      view_.touchable[at(i, j)] = is_free ? Real(1) : Real(0);
     }
 }
 
