@@ -7,8 +7,10 @@
 
 #include "commands.hpp"
 #include "pages.hpp"
+#include "percal/calibrate/best_scenes.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/page/page.hpp"
+#include "percal/calibrate/run_sizes.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/page/figures.hpp"
 #include "percal/text/range.hpp"
@@ -34,15 +36,18 @@ std::optional<double> parse_budget(const std::string& text) {
   return quantity.value;
 }
 
-Exit say_valid(const CalibrateArguments& arguments, const CalibrationJob& job, const Common& common) {
+Exit say_valid(const CalibrateArguments& arguments, const CalibrationJob& job, const RunSize& largest,
+               const Common& common) {
   int fitted = 0;
   for (const MeasuredShot& shot : job.shots) fitted += shot.used ? 1 : 0;
   if (common.json)
     fmt::print("{}\n", nlohmann::json{{"command", "calibrate"}, {"job", arguments.job}, {"valid", true}}.dump());
   else if (!common.quiet)
-    fmt::print("{}: a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses\n",
-               arguments.job, job.parameters.size(), job.shots.size(), fitted, job.curves.size(),
-               job.hypotheses.size());
+    fmt::print(
+        "{}: a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses; the largest run "
+        "has {}\n",
+        arguments.job, job.parameters.size(), job.shots.size(), fitted, job.curves.size(), job.hypotheses.size(),
+        in_words(largest));
   return Exit::done;
 }
 
@@ -52,7 +57,8 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   CalibrationLimits limits;  // the clock starts here
   limits.budget_seconds = parse_budget(arguments.budget);
   const CalibrationJob job = read_calibration_job(arguments.job);
-  if (common.check) return say_valid(arguments, job, common);
+  const RunSize largest = largest_run(job);  // throws where it cannot be run
+  if (common.check) return say_valid(arguments, job, largest, common);
   const std::string folder = out_folder(arguments.job, common);
   Store store(common.store.empty() ? default_store_path() : common.store);
   Campaign campaign(&store, common.threads);
@@ -67,6 +73,10 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   deliver(json, folder, common);
   if (!folder.empty() && !page::write_figures(calibrate_page(json), folder, page::Pictures::svg) && common.talks())
     fmt::print("figures were not drawn, since gnuplot is not there or failed; the CSV files have their points\n");
+  for (const BestScene& best : best_scenes(job, result))
+    write_scene(best.scene,
+                "A shot of " + job.title + " at what percal calibrate found, on the mesh of its fresh runs.", best.name,
+                folder);
   return result.hypotheses.empty() ? Exit::outcome_not_reached : Exit::done;
 }
 

@@ -46,7 +46,7 @@ struct ScaleArguments {
 
 struct ImpactArguments {
   std::string scene;
-  std::optional<int> elements_per_radius;
+  std::optional<double> elements_per_radius;
   std::optional<int> replicates;
   std::optional<std::string> arithmetic;
   std::string history;   // CSV file; empty: as the scene says
@@ -70,8 +70,8 @@ struct StudyArguments {
   bool error_vs_time = false;
   bool omissions = false;
   bool extremes = false;
-  std::string markdown;     // page to write; empty: none
-  std::vector<int> meshes;  // elements per radius; empty: the default ladder
+  std::string markdown;        // page to write; empty: none
+  std::vector<double> meshes;  // elements per radius; empty: the default ladder
   std::optional<int> replicates;
 };
 

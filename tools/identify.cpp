@@ -11,6 +11,7 @@
 #include "percal/campaign/campaign.hpp"
 #include "percal/card/solver.hpp"
 #include "percal/identify/page/identification_json.hpp"
+#include "percal/identify/run_sizes.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/text/file.hpp"
 
@@ -33,11 +34,12 @@ void write_cards(const CardMaterial& card, const std::string& folder) {
 Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
   const IdentifyJob job = read_identify_job(arguments.job);
+  const RunSize largest = largest_run(job);  // throws where it cannot be run
   if (common.check) {
     if (common.json)
       fmt::print("{}\n", page::Json{{"command", "identify"}, {"job", arguments.job}, {"valid", true}}.dump());
     else if (!common.quiet)
-      fmt::print("{}: a job that can be run\n", arguments.job);
+      fmt::print("{}: a job that can be run; the largest run has {}\n", arguments.job, in_words(largest));
     return Exit::done;
   }
   const std::string folder = out_folder(arguments.job, common);
@@ -57,6 +59,11 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
                                                     .instruction_level = instruction_level()});
   deliver(result, folder, common);
   if (found.card && !folder.empty()) write_cards(*found.card, folder);
+  if (found.complete()) {
+    write_scene(identified_scene(job, found), "The calibration shot of " + job.title + ", on the mesh of the ridge.",
+                "calibration", folder);
+    write_scene(found.model_check->scene, "The model system of " + job.title + ", as it was checked.", "model", folder);
+  }
   return found.complete() ? Exit::done : Exit::outcome_not_reached;
 }
 

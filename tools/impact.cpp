@@ -8,7 +8,9 @@
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/campaign/campaign.hpp"
+#include "percal/impact/target/size.hpp"
 #include "percal/observe/history.hpp"
+#include "percal/problem/replicates.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/quantity.hpp"
@@ -33,8 +35,12 @@ std::string picture_title(const Scene& scene, const Reduction& reduction, const 
                      format_quantity(run.depth * reduction.scales.radius, dimension::length));
 }
 
+const ImpactResult& middle_run(const ImpactFindings& found) {
+  return found.runs[middle_replicate(static_cast<int>(found.runs.size()))].result;
+}
+
 void write_history(const ImpactFindings& found, const std::string& file, const std::string& folder) {
-  const auto csv = history_csv(found.runs.front().result.history, found.reduction.problem, found.reduction.scales);
+  const auto csv = history_csv(middle_run(found).history, found.reduction.problem, found.reduction.scales);
   if (!file.empty()) write_file(file, csv);
   if (!folder.empty() && found.scene.output.history) write_file(folder + "/history.csv", csv);
 }
@@ -44,11 +50,16 @@ void write_history(const ImpactFindings& found, const std::string& file, const s
 Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
   Scene scene = scene_with_options(arguments);
-  reduce(scene);  // throws where it cannot be run
+  const Problem asked = reduce(scene).problem;  // throws where it cannot be run
+  refuse_what_is_too_large(asked, arguments.scene);
   std::optional<double> target_error;
   if (!arguments.accuracy.empty()) target_error = parse_accuracy(arguments.accuracy);
   check_views(arguments, common);
-  if (common.check) return say_valid("impact", "scene", arguments.scene, "a scene that can be run", common);
+  if (common.check)
+    return say_valid(
+        "impact", "scene", arguments.scene,
+        fmt::format("a scene that can be run: {}, {} runs of them", in_words(size_of(asked)), scene.replicates),
+        common);
   if (!arguments.history.empty()) ensure_writable(arguments.history);
   ensure_views_can_be_made(arguments);
   const std::string folder = out_folder(arguments.scene, common);
@@ -68,7 +79,9 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   ImpactViews views(arguments, folder, reduction);
   {
     Progress progress("impact", scene.replicates);
-    found.runs = campaign.evaluate(replicates_of(reduction.problem, scene.replicates), &progress, views.observer());
+    const auto middle = static_cast<std::size_t>(middle_replicate(scene.replicates));
+    found.runs =
+        campaign.evaluate(replicates_of(reduction.problem, scene.replicates), &progress, {views.observer(), middle});
   }
   found.penetration = summarise(found.runs, reduction.problem, reduction.scales);
   found.fields = views.fields();
@@ -81,7 +94,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
                 .instruction_level = found.runs.front().instruction_level};
   write_history(found, arguments.history, folder);
   deliver(impact_to_json(found), folder, common);
-  views.draw(picture_title(scene, reduction, found.runs.front().result));
+  views.draw(picture_title(scene, reduction, middle_run(found)));
   const Outcome outcome = found.penetration.outcome;
   return outcome == Outcome::stopped || outcome == Outcome::passed_through ? Exit::done : Exit::outcome_not_reached;
 }

@@ -2,6 +2,8 @@
 // line has been read.
 #include "options.hpp"
 
+#include <fmt/format.h>
+
 namespace percal::tools {
 namespace {
 
@@ -25,18 +27,20 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
   auto* command =
       app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
   command->add_option("scene", impact.scene, "TOML scene")->required();
-  command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh (default: the scene's)")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--replicates", impact.replicates, "runs at slightly different speeds (default: the scene's, 3)")
+  command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh, a real number (default: the scene's)")
+      ->check(CLI::Range(1.0, 1000.0));
+  command
+      ->add_option("--replicates", impact.replicates,
+                   fmt::format("runs on meshes of different phase (default: the scene's, {})", usual_replicates))
       ->check(CLI::Range(1, 1000));
   command->add_option("--arithmetic", impact.arithmetic, "single or double")
       ->check(CLI::IsMember({"single", "double"}));
   command->add_option("--history", impact.history, "write the penetration history to this CSV file");
   command->add_option(
       "--fields", impact.fields,
-      "write fields of the first run for ParaView, as every=0.5us, every=10um (of depth), every=2% (of the "
+      "write fields of the middle run for ParaView, as every=0.5us, every=10um (of depth), every=2% (of the "
       "target's depth) or every=200 (steps), to fields/ in the folder for results");
-  command->add_option("--picture", impact.picture, "draw the first run's last state to this PNG, SVG or PDF file");
+  command->add_option("--picture", impact.picture, "draw the middle run's last state to this PNG, SVG or PDF file");
   command
       ->add_option(
           "--accuracy", impact.accuracy,
@@ -86,9 +90,11 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
   auto* meshes =
       command->add_option("--meshes", study.meshes, "elements per radius, four or more (default: 5,7,10,14,20,28)")
           ->delimiter(',')
-          ->check(CLI::Range(1, 1000))
+          ->check(CLI::Range(1.0, 1000.0))
           ->needs(errors);
-  auto* replicates = command->add_option("--replicates", study.replicates, "runs of each setting (default: 5)")
+  auto* replicates = command
+                         ->add_option("--replicates", study.replicates,
+                                      fmt::format("runs of each setting (default: {})", usual_replicates))
                          ->check(CLI::Range(3, 1000));
   command->add_option("--markdown", study.markdown, "write the whole page as Markdown to this file");
   extremes->excludes(scene)->excludes(meshes)->excludes(replicates);

@@ -12,6 +12,7 @@
 #include "percal/identify/page/page.hpp"
 #include "percal/observe/page/page.hpp"
 #include "percal/scaling/page/page.hpp"
+#include "percal/scene/scene_toml.hpp"
 #include "percal/study/page/page.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
@@ -85,6 +86,13 @@ void deliver(const Json& result, const std::string& folder, const Common& common
   fmt::print("{}", page::as_text(page_of_result(result, "this result"), style));
   if (!folder.empty())
     fmt::print("{}: the whole result{}\n", file, common.details ? "" : "; see --details, percal report");
+}
+
+void write_scene(const Scene& scene, const std::string& comment, const std::string& name, const std::string& folder) {
+  if (folder.empty()) return;
+  const std::string scenes = folder + "/scenes";
+  ensure_writable_folder(scenes);
+  write_file(scenes + "/" + name + ".toml", scene_to_toml(scene, comment));
 }
 
 Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,

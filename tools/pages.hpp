@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "percal/page/comparison.hpp"
 #include "percal/page/text.hpp"
+#include "percal/scene/scene.hpp"
 
 namespace percal::tools {
 
@@ -18,6 +19,9 @@ page::ReadResult read_result(const std::string& file);
 // What every command ends with: result.json in the folder (nowhere where that is empty), then on standard output the result as JSON
 // (--json), or its page as text, the answer alone or all of it (--details), or nothing (--quiet). Throws IoFailure.
 void deliver(const page::Json& result, const std::string& folder, const Common& common);
+
+// FOLDER/scenes/NAME.toml, to be run by percal impact; nothing where there is no folder. Throws IoFailure.
+void write_scene(const Scene& scene, const std::string& comment, const std::string& name, const std::string& folder);
 
 // What --check ends with: that `file`, a "job" or a "scene", can be used, as JSON or in words ("a scene that can be run").
 Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,

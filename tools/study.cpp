@@ -9,6 +9,7 @@
 #include "percal/base/progress.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/impact/target/size.hpp"
 #include "percal/page/figures.hpp"
 #include "percal/page/markdown.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -54,8 +55,9 @@ Exit checked(const std::string& what, const Json& answer, const Common& common) 
   return Exit::done;
 }
 
-Exit checked_scene(const std::string& file, long runs, const Common& common) {
-  return checked(fmt::format("{}: a scene that can be studied, {} runs", file, runs),
+Exit checked_scene(const std::string& file, long runs, const Problem& largest, const Common& common) {
+  return checked(fmt::format("{}: a scene that can be studied, {} runs, the largest of {}", file, runs,
+                             in_words(size_of(largest))),
                  {{"command", "study"}, {"scene", file}, {"valid", true}}, common);
 }
 
@@ -87,7 +89,7 @@ Exit error_vs_time_study(const StudyArguments& arguments, const Common& common) 
   if (!arguments.meshes.empty()) options.meshes = arguments.meshes;
   if (arguments.replicates) options.replicates = *arguments.replicates;
   options = checked(options, scene);
-  if (common.check) return checked_scene(arguments.scene, ladder_runs(options), common);
+  if (common.check) return checked_scene(arguments.scene, ladder_runs(options), finest_problem(options, scene), common);
   Study study(arguments.scene, common);
   const Ladder ladder = [&] {
     Progress progress("study", ladder_runs(options));
@@ -105,9 +107,14 @@ Exit error_vs_time_study(const StudyArguments& arguments, const Common& common) 
 Exit omissions_study(const StudyArguments& arguments, const Common& common) {
   const Scene scene = read_scene(arguments.scene);
   const int replicates = arguments.replicates.value_or(audit_replicates);
+  const Reduction reduction = reduce(scene);
+  refuse_what_is_too_large(reduction.problem, arguments.scene);
   if (common.check) {
-    const auto plan = plan_omissions(scene, reduce(scene), std::nullopt);
-    return checked_scene(arguments.scene, replicates * (1 + static_cast<long>(plan.variants.size())), common);
+    const auto plan = plan_omissions(scene, reduction, std::nullopt);
+    Problem largest = reduction.problem;
+    for (const auto& variant : plan.variants)
+      if (const Problem p = reduce(variant.scene).problem; size_of(p).elements > size_of(largest).elements) largest = p;
+    return checked_scene(arguments.scene, replicates * (1 + static_cast<long>(plan.variants.size())), largest, common);
   }
   Study study(arguments.scene, common);
   const Omissions audit = [&] {

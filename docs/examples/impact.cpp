@@ -16,7 +16,8 @@ int main(int argc, char** argv) try {
   for (const percal::LeftOut& omission : reduction.left_out)
     std::printf("left out: %s (%s)\n", omission.what.c_str(), omission.why.c_str());
 
-  // Three runs at speeds 0.1 % apart, since one run of an eroding impact is a noisy sample. No store: nothing is kept.
+  // The mean of three runs over the mesh phase, at speeds 0.1 % apart: one run of an eroding impact is a noisy sample. No store:
+  // nothing is kept.
   percal::Campaign campaign(nullptr, 1);
   const auto runs = campaign.replicate({reduction.problem}, 3, nullptr).front();
   const percal::Penetration found = percal::summarise(runs, reduction.problem, reduction.scales);

@@ -11,3 +11,4 @@
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/impact/result.hpp"
+#include "percal/impact/target/size.hpp"

@@ -9,5 +9,7 @@
 // See docs/theory/impact.md.
 #pragma once
 #include "percal/problem/choices.hpp"
+#include "percal/problem/domain.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
+#include "percal/problem/replicates.hpp"

@@ -11,3 +11,4 @@
 #include "percal/scene/profile.hpp"
 #include "percal/scene/scene.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/scene/width.hpp"

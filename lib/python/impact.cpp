@@ -5,7 +5,9 @@
 
 #include "core.hpp"
 #include "percal/campaign/campaign.hpp"
+#include "percal/impact/target/size.hpp"
 #include "percal/observe/page/impact_json.hpp"
+#include "percal/problem/replicates.hpp"
 #include "percal/scene/scene_toml.hpp"
 
 namespace percal::python {
@@ -13,8 +15,8 @@ namespace {
 
 namespace py = pybind11;
 
-// The result as JSON; the first run's history is in it where it is asked for.
-std::string impact(Scene scene, std::optional<int> elements_per_radius, std::optional<int> replicates, int threads,
+// The result as JSON; the middle run's history is in it where it is asked for.
+std::string impact(Scene scene, std::optional<double> elements_per_radius, std::optional<int> replicates, int threads,
                    const std::optional<std::string>& store_path, bool history) {
   const auto start = std::chrono::steady_clock::now();
   if (elements_per_radius) scene.mesh.elements_per_radius = *elements_per_radius;
@@ -22,6 +24,7 @@ std::string impact(Scene scene, std::optional<int> elements_per_radius, std::opt
   scene.output.history = history;
   parse_scene(scene_to_toml(scene, ""), "impact");  // throws where an option is out of range
   const Reduction reduction = reduce(scene);
+  refuse_what_is_too_large(reduction.problem, scene.source);
   ImpactFindings found{.scene = scene, .reduction = reduction};
   interruptible([&](const std::atomic<bool>& stop) {
     std::optional<Store> store;

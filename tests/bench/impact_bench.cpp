@@ -24,6 +24,7 @@
 #include "impact/setting_s.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace {
 

@@ -1,9 +1,8 @@
 // result.json of a calibration, from a result made by hand.
-#include "percal/calibrate/page/page.hpp"
-
 #include <gmock/gmock.h>
 
 #include "calibrate/small_job.hpp"
+#include "percal/calibrate/page/page.hpp"
 
 namespace percal {
 namespace {

@@ -58,6 +58,26 @@ TEST_F(CalibrationRuns, FailuresAfterAFittedRoundLeaveNoHypothesis) {
   EXPECT_NE(result.findings[0].find("more failed than the job tolerates"), std::string::npos) << result.findings[0];
 }
 
+// Single runs whose mesh phases fill one period: no two alike, and as many below the job's mesh as above.
+TEST_F(CalibrationRuns, AreOnMeshesOfDrawnPhases) {
+  job_.training.coarse = job_.training.fine = 3.5;
+  Training(job_, {0}, &store_, campaign_, limits_).fill_space();
+  std::vector<double> meshes;
+  for (const StoredSphere& run : stored_spheres(store_)) meshes.push_back(run.problem.elements_per_radius);
+  ASSERT_EQ(meshes.size(), 64u);
+  std::ranges::sort(meshes);
+  EXPECT_EQ(std::ranges::adjacent_find(meshes), meshes.end());
+  EXPECT_GE(meshes.front(), 3.5 - 0.85);
+  EXPECT_LE(meshes.back(), 3.5 + 0.85);
+  EXPECT_NEAR(meshes[32], 3.5, 0.1);
+  CalibrationJob other = job_;
+  other.training.seed += 1;
+  Store elsewhere(path("other.store"));
+  Campaign campaign(&elsewhere, 0);
+  Training(other, {0}, &elsewhere, campaign, limits_).fill_space();
+  EXPECT_NE(stored_spheres(elsewhere).front().key, stored_spheres(store_).front().key) << "the seed chooses them";
+}
+
 TEST_F(CalibrationRuns, ThoseOfOthersAreLearntFromUnlessTheJobHasBegunWithoutThem) {
   Training begun(job_, {0}, &store_, campaign_, limits_);
   CalibrationJob other = job_;

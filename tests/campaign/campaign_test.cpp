@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/problem/replicates.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -129,8 +130,7 @@ TEST(Campaign, ReplicatesBelongToTheirProblems) {
   for (std::size_t i = 0; i < 2; ++i) {
     ASSERT_EQ(grouped[i].size(), 3u);
     for (int k = 0; k < 3; ++k) {
-      Problem p = quick(i == 0 ? 2 : 8);
-      p.speed_factor = replicate_speed_factor(k);
+      const Problem p = replicates_of(quick(i == 0 ? 2 : 8), 3)[k];
       EXPECT_EQ(grouped[i][k].result.depth, campaign.evaluate(p).result.depth) << i << " " << k;
     }
   }

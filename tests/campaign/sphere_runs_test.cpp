@@ -8,6 +8,7 @@
 #include "percal/base/error.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/problem/domain.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -21,7 +22,7 @@ Problem quick_shot(double pi4 = 6) {
   p.alpha = 8.5;
   p.depth = 20;
   p.elements_per_radius = 4;
-  p.graded_columns = usual_graded_columns(p.fine_width, p.elements_per_radius);
+  p.graded_columns = usual_graded_columns(p);
   p.erosion = StrainErosion{0.7};
   return p;
 }
@@ -120,7 +121,7 @@ TEST(SettingOf, TwoSystemsOnTwoMeshesShareOne) {
   other.depth = 126;
   other.erosion = StrainErosion{0.4, StrainMeasure::true_strain};
   other.elements_per_radius = 16;
-  other.graded_columns = usual_graded_columns(other.fine_width, 16);
+  other.graded_columns = usual_graded_columns(other);
   other.speed_factor = 0.999;
   EXPECT_EQ(setting_of(other), setting_of(quick_shot()));
 }

@@ -229,7 +229,7 @@ const std::vector<BadJob> bad_jobs{
      {{"elements_per_radius = 4", "elements_per_radius = 0"}},
      "liver.toml:[0-9]+: ridge.elements_per_radius: found 0",
      "0",
-     "a whole number from 1"},
+     "a number from 1"},
     {"TrendThroughOnePoint",
      {{"[ridge]", trend + "where = [\"agar=0\"]\n\n[ridge]"}},
      "liver.toml:[0-9]+: trends.1..x: found",

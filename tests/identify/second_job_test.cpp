@@ -112,10 +112,26 @@ TEST_F(SecondJob, TheIdentifiedPairGivesTheDepthThatItCameFrom) {
       << "its similar system";
 }
 
+// An erosion strain belongs to its mesh: percal impact runs the scene on that of the ridge, from the ridge's own runs.
+TEST_F(SecondJob, TheScenesThatItWritesAreItsOwnRuns) {
+  job();
+  const json found = identify("out");
+  const json model = json::parse(run({"impact", "out/scenes/model.toml", "--json", "--out", "none"}).out);
+  EXPECT_EQ(model["depth_m"], found["model_check"]["depth_m"]);
+  EXPECT_EQ(model["mesh"]["elements_per_radius"], 4.0);
+  EXPECT_EQ(model["mesh"]["width_over_radius"], 4.0);
+  EXPECT_FALSE(model["mesh"]["width_was_chosen"]);
+  const json shot = json::parse(run({"impact", "out/scenes/calibration.toml", "--json", "--out", "none"}).out);
+  EXPECT_EQ(shot["runs"].size(), 5u) << "as many as each depth of the ridge has";
+  EXPECT_EQ(shot["mu_true_Pa"], found["skin"]["mu_highrate_true_Pa"]);
+}
+
 TEST_F(SecondJob, TheCardHoldsWhatWasFound) {
   job();
   const json found = identify("out");
-  EXPECT_EQ(files("out"), (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp"}));
+  EXPECT_EQ(files("out"),
+            (std::set<std::string>{"out/result.json", "out/liver_lsdyna.k", "out/liver_abaqus.inp", "out/scenes",
+                                   "out/scenes/calibration.toml", "out/scenes/model.toml"}));
   EXPECT_EQ(found["cards"][0]["mu_true_Pa"], found["skin"]["mu_highrate_true_Pa"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["strain"], found["skin"]["erosion_strain"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["measure"], "true");
@@ -166,7 +182,7 @@ TEST_F(SecondJob, TheConventionOfTheModuliOnlyScalesThem) {
 }
 
 TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
-  write("pairs.csv", "mu_MPa,strain,model_kPa\n11.2,0.45,297\n11.7,0.6,310\n5.65,0.8,150\n");
+  write("pairs.csv", "mu_MPa,strain,model_kPa\n13.2,0.45,350\n10.5,0.6,279\n6.58,0.8,175\n");
   job({{"[0.3, 0.6, 0.8]", "[0.45, 0.6, 0.8]"},
        {"value = 5",
         "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = "
@@ -199,7 +215,7 @@ TEST_F(SecondJob, ARidgeThatDoesNotReachTheModulusEndsWithExitCodeThree) {
   EXPECT_TRUE(found["cards"].empty());
   EXPECT_THAT(found["findings"].dump(), HasSubstr("the ridge does not reach the modulus"));
   EXPECT_THAT(found["predictions"], IsEmpty()) << "all of this job's take the erosion strain";
-  EXPECT_EQ(files("out"), (std::set<std::string>{"out/result.json"})) << "no card";
+  EXPECT_EQ(files("out"), (std::set<std::string>{"out/result.json"})) << "no card, no scenes";
 }
 
 TEST_F(SecondJob, AStrainAtWhichNoModulusGivesTheDepthIsNamedAndLeftOut) {

@@ -10,6 +10,7 @@
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/math/statistics.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {

@@ -11,6 +11,7 @@
 #include "percal/impact/settings.hpp"
 #include "percal/impact/target/constants.hpp"
 #include "percal/math/statistics.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {

@@ -8,6 +8,7 @@
 #include "impact/element_reference.hpp"
 #include "impact/setting_s.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {

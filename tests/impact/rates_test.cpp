@@ -7,6 +7,7 @@
 #include "impact/setting_s.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/math/statistics.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {

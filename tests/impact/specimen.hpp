@@ -54,8 +54,9 @@ class Specimen {
   // The same by the kernel of the plain solid.
   ColumnReport look_as_plain(double step) {
     return sweep([&](const ColumnForces<Real>& forces, int i, Rows rows, ColumnReport& report) {
-      kernel_.internal_forces(block.view(), forces, i, rows, block.shapes()[i], solid.layers.front().material, step,
-                              watch(), report);
+      const auto plain = solid.erosion_kind == ErosionKind::averaged_energy ? kernel_.internal_forces_averaged
+                                                                            : kernel_.internal_forces;
+      plain(block.view(), forces, i, rows, block.shapes()[i], solid.layers.front().material, step, watch(), report);
     });
   }
 

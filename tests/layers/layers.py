@@ -24,8 +24,8 @@ MAY_SEE = {
     "invert": ["base", "math"],
     "campaign": ["base", "math", "scene", "problem", "impact", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
-    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "invert", "card", "campaign", "plot", "page"],
-    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot", "page"],
+    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
+    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot", "page"],
 }
 
 # Rooms of a layer, in their order: a file includes rooms up to its own; one that lies beside them, none.

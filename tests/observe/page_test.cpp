@@ -126,10 +126,13 @@ TEST_F(ImpactPage, TakesNoMissingKeyForANo) {
 TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
   const std::string words = words_of(page());
   for (const char* there :
-       {"Impact: gold into skin", "Depth 27.5 um, standard error 300 nm (a single run scatters by 424 nm, 2 runs)",
+       {"Impact: gold into skin",
+        "Depth 27.5 um, standard error 300 nm (over the mesh phase and the speed together a single run "
+        "scatters by 424 nm, 2 runs)",
         "mu, true | 63.75 MPa", "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program",
-        "22050, 14 per radius", "radius | 1 um", "eroded elements | 74.50 %", "sum | 99.50 %",
-        "rotation: ", "Mach number | 0.299", "x86_64_v3", "1.001 | stopped | 27.8 um"})
+        "22050, 14 per radius", "5, radii to the wall, given", "13 of them graded (chosen by the program), each 1.2 times",
+        "radius | 1 um", "eroded elements | 74.50 %", "sum | 99.50 %", "rotation: ", "Mach number | 0.299", "x86_64_v3",
+        "1.001 | stopped | 27.8 um"})
     EXPECT_THAT(words, HasSubstr(there));
 }
 
@@ -184,11 +187,12 @@ TEST_F(ImpactPage, WithoutAHistoryItSaysHowToGetOne) {
 }
 
 TEST_F(ImpactPage, SaysWhereTheErrorComesFrom) {
-  EXPECT_THAT(words_of(page()), HasSubstr("the error of the mesh is not in it"));
+  EXPECT_THAT(words_of(page()), HasSubstr("the error of the element size is not in it"));
   found.accuracy = two_percent;
   EXPECT_THAT(words_of(page()),
-              AllOf(HasSubstr("Estimated error of the depth 1.5 % (mesh 1.2 %, noise of erosion 0.75 %)"),
-                    HasSubstr("mesh | 1.2 %"), HasSubstr("noise of erosion | 0.8 %"), Not(HasSubstr("is not in it"))));
+              AllOf(HasSubstr("Estimated error of the depth 1.5 % (element size 1.2 %, mesh phase and noise 0.75 %)"),
+                    HasSubstr("element size | 1.2 %"), HasSubstr("mesh phase and noise | 0.8 %"),
+                    Not(HasSubstr("is not in it"))));
 }
 
 TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {

@@ -126,7 +126,7 @@ TEST(Warnings, NodesFarInsideTheSphereAreTold) {
   run.result.largest_gap = 1.9;  // elements of an eighth of a radius
   EXPECT_THAT(told({run}), IsEmpty());
   run.result.largest_gap = 4;
-  const auto lines = told({ended(Outcome::stopped, 25), run});
+  const auto lines = told({ended(Outcome::stopped, 25), run, ended(Outcome::stopped, 25)});
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_THAT(lines[0], HasSubstr("0.5 radii inside the sphere"));
 }

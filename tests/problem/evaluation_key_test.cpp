@@ -59,6 +59,8 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
        }},
       {"stress", [](Problem& p) { p.erosion = StressErosion{0.7}; }},
       {"energy", [](Problem& p) { p.erosion = EnergyErosion{0.7}; }},
+      {"average", [](Problem& p) { p.erosion_average = AverageWithin{0.3}; }},
+      {"average, length", [](Problem& p) { p.erosion_average = AverageWithin{0.4}; }},
       {"elastic",
        [](Problem& p) {
          p.particle = ElasticSphere{100, 0.3};
@@ -127,7 +129,7 @@ TEST(EvaluationKey, AHistoryDoesNotChangeIt) {
 }
 
 TEST(EvaluationKey, ThePlainestProblemSaysNothingOfWhatItDoesNotHave) {
-  for (const char* word : {"plane", "whole", "below", "relaxation", "profile", "elastic", "rates"})
+  for (const char* word : {"plane", "whole", "below", "length", "relaxation", "profile", "elastic", "rates"})
     EXPECT_EQ(key(plainest()).find(word), std::string::npos) << word;
 }
 

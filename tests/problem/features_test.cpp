@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "percal/base/error.hpp"
 #include "percal/math/polygon.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -214,6 +215,7 @@ TEST(Reduce, SimilarElasticSpheresErodingByEnergyAreOneProblem) {
     scene.geometry = Geometry::axisymmetric;
     scene.particle = {.name = "p", .radius = a, .density = 7 * rho, .speed = v, .youngs_modulus = 30 * rho * v * v};
     scene.target.erosion = EnergyErosion{0.2 * rho * v * v};
+    scene.target.erosion_average = AverageWithin{0.3 * a};
     return scene;
   };
   EXPECT_TRUE(std::holds_alternative<ElasticSphere>(reduce(sphere(1, 1, 1)).problem.particle));
@@ -244,6 +246,31 @@ TEST(Reduce, StrainLimitsStayAndALayerWithoutALimitDoesNotErode) {
   EXPECT_EQ(reduce(scene).problem.below[0].erosion_limit, std::numeric_limits<double>::infinity());
 }
 
+TEST(Reduce, ALengthOfErosionIsInRadiiAndOneAboveARadiusWarns) {
+  Scene scene = scene_of(thesis_rhombus, "plane strain", "length = \"1.2 mm\"\n");
+  EXPECT_EQ(std::get<AverageWithin>(reduce(scene).problem.erosion_average).length, 0.4);
+  EXPECT_THAT(reduce(scene).warnings, IsEmpty());
+  scene.target.erosion_average = AverageWithin{4e-3};
+  EXPECT_THAT(reduce(scene).warnings, ElementsAre(HasSubstr("erosion is judged over 1.33 radii")));
+  scene.target.erosion = NoErosion{};
+  EXPECT_TRUE(std::holds_alternative<NoAverage>(reduce(scene).problem.erosion_average));
+}
+
+// Whoever changes the mesh after the scene was read is told as well.
+TEST(Reduce, AMeshTooCoarseForTheLengthOfErosionIsRefused) {
+  Scene scene = scene_of(thesis_rhombus, "plane strain", "length = \"1.2 mm\"\n");
+  scene.mesh.elements_per_radius = 8;  // 3.2 elements
+  EXPECT_NO_THROW(reduce(scene));
+  scene.mesh.elements_per_radius = 7;
+  try {
+    reduce(scene);
+    FAIL();
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("target.erosion.length: found 1.2 mm (0.4 radii), 2.8 elements of 1/7"));
+    EXPECT_THAT(error.what(), HasSubstr("or elements_per_radius = 8"));
+  }
+}
+
 TEST(Mach, IsThatOfTheLayerWithTheSlowestWaves) {
   Scene scene = everything(1e-3, 50, 1000);
   scene.target.volumetric = BulkToShear{500};
@@ -256,6 +283,7 @@ TEST(Mach, IsThatOfTheLayerWithTheSlowestWaves) {
 
 TEST(Mach, EveryLayersBulkModulusIsChosenForIt) {
   Scene scene = everything(1e-3, 50, 1000);
+  scene.target.width.reset();
   scene.target.mu_as_given /= 100;  // pi4 = 1000
   scene.below[0].mu_as_given /= 300;
   scene.below[0].volumetric = ChooseBulk{};
@@ -266,6 +294,7 @@ TEST(Mach, EveryLayersBulkModulusIsChosenForIt) {
 
 TEST(Mach, AWarningNamesIt) {
   Scene scene = everything(1e-3, 50, 1000);
+  scene.target.width.reset();
   scene.below.clear();
   scene.target.volumetric = BulkToShear{50};  // M^2 = 10/51.3
   EXPECT_THAT(reduce(scene).warnings,
@@ -277,6 +306,7 @@ TEST(Mach, AWarningNamesIt) {
 
 TEST(Mach, OnlyASupersonicLayerIsStiffenedAndOnlyOnRequest) {
   Scene scene = everything(1e-3, 50, 1000);
+  scene.target.width.reset();
   scene.target.volumetric = BulkToShear{2};
   scene.below[0].volumetric = BulkToShear{5};  // M = 0.76: kept
   EXPECT_EQ(reduce(scene).problem.bulk_ratio, 2);
@@ -320,7 +350,7 @@ TEST(LeftOut, AProfileOfSoftMaterialStaysRigidWithAWarning) {
   const Reduction reduction = reduce(scene_of(thesis_square + "youngs_modulus = \"10 MPa\"\n"));
   EXPECT_TRUE(std::holds_alternative<RigidPolygon>(reduction.problem.particle));
   EXPECT_THAT(reduction.left_out.front().why, HasSubstr("only a sphere in an axisymmetric scene can be elastic"));
-  EXPECT_THAT(reduction.warnings, ElementsAre(HasSubstr("may matter")));
+  EXPECT_THAT(reduction.warnings, ElementsAre(HasSubstr("may matter"), HasSubstr("nearer than the 5")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "percal/base/version.hpp"
 #include "percal/problem/problem.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {
@@ -22,7 +23,8 @@ class RandomProblems {
     p.geometry = choice(4) ? Geometry::axisymmetric : Geometry::plane_strain;
     p.whole = p.geometry == Geometry::plane_strain && choice(2);
     p.erosion = erosion();
-    p.elements_per_radius = 1 + choice(60);
+    if (choice(3) == 0) p.erosion_average = AverageWithin{number_of_any_size()};
+    p.elements_per_radius = round_to_12_digits(1 + choice(60) + choice(100) / 99.0);
     p.graded_columns = choice(40);
     p.hourglass_form = choice(2) ? HourglassForm::viscosity : HourglassForm::stiffness;
     p.volumetric_law = static_cast<VolumetricLaw>(choice(3));

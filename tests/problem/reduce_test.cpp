@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "percal/problem/domain.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/scene_toml.hpp"
 
@@ -151,19 +152,43 @@ TEST(Reduce, TheMachNumberIsSpeedOverTheDilatationalWaveSpeed) {
   EXPECT_NEAR(reduction.mach, 651 / wave_speed, 1e-11);
 }
 
-TEST(Reduce, ReplicatesStepOutwardsFromTheSpeedInTenthsOfAPercent) {
-  const double expected[] = {1, 1.001, 0.999, 1.002, 0.998, 1.003, 0.997};
-  for (int k = 0; k < 7; ++k) EXPECT_DOUBLE_EQ(replicate_speed_factor(k), expected[k]) << k;
-}
-
-TEST(Reduce, HalfTheFineColumnsAreGradedWhereTheSceneDoesNotSay) {
+TEST(Reduce, GradedColumnsGrowByAFifthWhereTheSceneDoesNotSay) {
   Scene scene = skin_scene();
-  for (const auto& [n, graded] : {std::pair{14, 7}, {7, 4}, {10, 5}, {1, 2}}) {
+  for (const double n : {14.0, 9.66, 7.0}) {
     scene.mesh.elements_per_radius = n;
-    EXPECT_EQ(reduce(scene).problem.graded_columns, graded) << n;
+    const Reduction reduction = reduce(scene);
+    EXPECT_EQ(reduction.problem.elements_per_radius, n);
+    EXPECT_EQ(reduction.problem.graded_columns, usual_graded_columns(reduction.problem)) << n;
+    EXPECT_TRUE(reduction.mesh.columns_were_chosen);
+    EXPECT_LE(reduction.mesh.growth, usual_growth);
+    EXPECT_EQ(reduction.mesh.columns, std::ceil(n) + reduction.problem.graded_columns);
+    EXPECT_THAT(reduction.warnings, IsEmpty());
   }
   scene.mesh.graded_columns = 23;
   EXPECT_EQ(reduce(scene).problem.graded_columns, 23);
+  EXPECT_FALSE(reduce(scene).mesh.columns_were_chosen);
+}
+
+TEST(Reduce, FewGradedColumnsStayAndAreWarnedOf) {
+  Scene scene = skin_scene();
+  scene.mesh.graded_columns = 5;
+  EXPECT_THAT(reduce(scene).warnings, ElementsAre(HasSubstr("expect 3 to 4 % in depth")));
+  scene.mesh.graded_columns = 9;  // growth 1.29
+  EXPECT_THAT(reduce(scene).warnings, IsEmpty());
+}
+
+TEST(Reduce, TheWidthFollowsTheShotWhereTheSceneDoesNotSay) {
+  Scene scene = skin_scene();
+  EXPECT_FALSE(reduce(scene).mesh.width_was_chosen);
+  scene.target.width.reset();
+  EXPECT_EQ(reduce(scene).problem.width, 5);
+  EXPECT_TRUE(reduce(scene).mesh.width_was_chosen);
+  scene.target.mu_as_given /= 10;  // pi4 = 66, and gold is heavy
+  EXPECT_EQ(reduce(scene).problem.width, 20);
+  EXPECT_THAT(reduce(scene).warnings, IsEmpty());
+  scene.target.width = 5e-6;
+  EXPECT_EQ(reduce(scene).problem.width, 5);
+  EXPECT_THAT(reduce(scene).warnings, ElementsAre(HasSubstr("nearer than the 20")));
 }
 
 TEST(Reduce, TheEndTimeIsInRadiiAtImpactSpeed) {

@@ -65,6 +65,7 @@ bottom = "fixed"
 [target.erosion]
 strain = 1.2
 measure = "green-lagrange"
+length = "0.8 um"
 [mesh]
 elements_per_radius = 6
 fine_width = 2

@@ -43,25 +43,25 @@ TEST(SceneToml, TheShortestSceneHasTheDefaults) {
   EXPECT_EQ(scene.mesh, MeshScene{});
   EXPECT_EQ(scene.solver, SolverScene{});
   EXPECT_EQ(scene.output, OutputScene{});
-  EXPECT_EQ(scene.replicates, 3);
+  EXPECT_EQ(scene.replicates, usual_replicates);
 }
 
 TEST(SceneToml, EveryKeyIsRead) {
   const Scene scene = parse_scene(
-      "replicates = 5\n[particle]\nshape = \"sphere\"\nname = \"gold\"\nradius = \"1 um\"\ndensity = \"16.8 "
+      "replicates = 7\n[particle]\nshape = \"sphere\"\nname = \"gold\"\nradius = \"1 um\"\ndensity = \"16.8 "
       "g/cm3\"\nspeed = \"0.6 km/s\"\n"
       "youngs_modulus = \"78 GPa\"\n[target]\nname = \"skin\"\ndensity = \"1060 kg/m3\"\nmu = \"-15 MPa\"\nconvention "
       "= \"mu/alpha\"\n"
       "alpha = -9\nnu = 0.49\ndepth = \"75 um\"\nwidth = \"5 um\"\nbottom = \"fixed\"\n[target.erosion]\nstrain = "
       "0.7\nmeasure = \"green-lagrange\"\n"
-      "[mesh]\nelements_per_radius = 14\nfine_width = 2\ngraded_columns = 7\n[solver]\ncontact_stiffness = "
+      "[mesh]\nelements_per_radius = 14.25\nfine_width = 2\ngraded_columns = 7\n[solver]\ncontact_stiffness = "
       "0.156\nhourglass = 0.1\n"
       "linear_viscosity = 0\nquadratic_viscosity = 0.5\ntime_step_factor = 1\narithmetic = \"double\"\nend_time = \"3 "
       "us\"\n[output]\nhistory = true\n",
       "scene.toml");
   Scene expected;
   expected.source = "scene.toml";
-  expected.replicates = 5;
+  expected.replicates = 7;
   expected.particle = {.name = "gold", .radius = 1e-6, .density = 16800, .speed = 600, .youngs_modulus = 78e9};
   expected.target = {.name = "skin",
                      .density = 1060,
@@ -73,7 +73,7 @@ TEST(SceneToml, EveryKeyIsRead) {
                      .width = 5e-6,
                      .bottom = Bottom::fixed,
                      .erosion = StrainErosion{0.7, StrainMeasure::green_lagrange}};
-  expected.mesh = {.elements_per_radius = 14, .fine_width = 2, .graded_columns = 7};
+  expected.mesh = {.elements_per_radius = 14.25, .fine_width = 2, .graded_columns = 7};
   expected.solver = {.contact_stiffness = 0.156,
                      .hourglass = 0.1,
                      .linear_viscosity = 0,
@@ -120,7 +120,8 @@ TEST(SceneToml, ValuesOutOfRangeAreRefused) {
                            "[target.erosion]\nstrain = -0.1",
                            "[target.erosion]",
                            "[target.erosion]\nstrain = 0.7\nmeasure = \"log\"",
-                           "[mesh]\nelements_per_radius = 0",
+                           "[mesh]\nelements_per_radius = 0.9",
+                           "[mesh]\nelements_per_radius = 1001",
                            "[mesh]\nfine_width = 0",
                            "[mesh]\nfine_width = 6",
                            "[mesh]\ngraded_columns = 0",
@@ -211,10 +212,10 @@ Scene random_scene(std::mt19937_64& random) {
   else if (coin())
     layer.volumetric = BulkToShear{number(-60, 60)};
   layer.depth = scene.particle.radius * (1 + number(-3, 10));
-  layer.width = scene.particle.radius * (1 + number(-3, 10));
+  if (coin()) layer.width = scene.particle.radius * (1 + number(-3, 10));
   layer.bottom = coin() ? Bottom::free : Bottom::fixed;
   if (coin()) layer.erosion = StrainErosion{number(-10, 10), static_cast<StrainMeasure>(random() % 3)};
-  scene.mesh.elements_per_radius = 1 + static_cast<int>(random() % 1000);
+  scene.mesh.elements_per_radius = 1 + 999 * number(-10, 0);
   scene.mesh.fine_width = number(-10, 0);
   if (coin()) scene.mesh.graded_columns = 1 + static_cast<int>(random() % 100);
   scene.solver = {.contact_stiffness = number(-10, 10),

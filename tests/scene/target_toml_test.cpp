@@ -39,6 +39,38 @@ TEST(TargetToml, ExactlyOneCriterionIsGiven) {
   EXPECT_THAT(refusal_with("[target.erosion]\nstress = 1\n"), HasSubstr("without a unit"));
 }
 
+TEST(TargetToml, ALengthOfErosionIsALengthOrANumberOfRadii) {
+  const std::string erosion = "[target.erosion]\nstrain = 0.7\n";
+  EXPECT_EQ(with(erosion).target.erosion_average, ErosionAverage(NoAverage{}));
+  const Scene scene = with(erosion + "length = \"0.4 mm\"\n");
+  EXPECT_EQ(scene.target.erosion_average, ErosionAverage(AverageWithin{4e-4}));
+  EXPECT_EQ(with(erosion + "length_in_radii = 0.4\n").target.erosion_average, scene.target.erosion_average);
+  EXPECT_EQ(with("[target.erosion]\nenergy = \"1 MPa\"\nlength_in_radii = 0.4\n").target.erosion_average,
+            scene.target.erosion_average);
+  EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), "again").target, scene.target);
+}
+
+TEST(TargetToml, ALengthOfErosionIsRefusedTwiceBesideStressAndBelow) {
+  const std::string erosion = "[target.erosion]\nstrain = 0.7\n";
+  EXPECT_THAT(refusal_with(erosion + "length = \"0.4 mm\"\nlength_in_radii = 0.4\n"),
+              HasSubstr("scene.toml:14: target.erosion.length_in_radii: found this beside length; accepted: one of"));
+  EXPECT_THAT(refusal_with("[target.erosion]\nstress = \"1 MPa\"\nlength = \"0.4 mm\"\n"),
+              HasSubstr("scene.toml:13: target.erosion.length: found this beside stress"));
+  EXPECT_THAT(refusal_with(erosion + "length = 0.4\n"), HasSubstr("without a unit"));
+  EXPECT_THAT(refusal_with(erosion + "length_in_radii = 0\n"), HasSubstr("a positive number of radii"));
+  EXPECT_THAT(refusal_with(erosion + layer + "[below.erosion]\nstrain = 0.4\nlength = \"0.4 mm\"\n"),
+              HasSubstr("below[1].erosion.length: found an unknown key"));
+}
+
+TEST(TargetToml, AMeshWithFewerThanThreeElementsInTheLengthIsRefused) {
+  const std::string erosion = "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.3\n";
+  EXPECT_EQ(refusal_with(erosion), "accepted") << "ten elements per radius: just three";
+  EXPECT_THAT(refusal_with(erosion + "[mesh]\nelements_per_radius = 9\n"),
+              AllOf(HasSubstr("scene.toml:13: target.erosion.length_in_radii: found 300 um (0.3 radii), 2.7 elements"),
+                    HasSubstr("accepted: a length of three elements or more: 0.3333 radii, or "
+                              "elements_per_radius = 10")));
+}
+
 TEST(TargetToml, RelaxationHasOneToThreeTermsThatLeaveSomeStiffness) {
   const auto term = [](const std::string& share, const std::string& time = "\"1 us\"") {
     return "[[target.relaxation]]\nshare = " + share + "\ntime = " + time + "\n";

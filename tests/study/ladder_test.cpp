@@ -11,7 +11,7 @@ namespace percal {
 namespace {
 
 Scene gold() { return read_scene(PERCAL_DATA "/guha2009/gold.toml"); }
-LadderOptions ladder(std::vector<int> meshes, int replicates) {
+LadderOptions ladder(std::vector<double> meshes, int replicates) {
   return {.meshes = std::move(meshes), .replicates = replicates, .time_step_factor = std::nullopt};
 }
 const LadderOptions tiny = ladder({4, 2, 3, 1, 3}, 3);
@@ -26,7 +26,7 @@ TEST_F(LadderTest, RunsEveryMeshTwoHalfStepsAndOneInDouble) {
   scene.solver.end_time = 2e-9;  // about a radius: these runs are not to stop
   Campaign campaign(&store, 1);
   const Ladder ladder = run_ladder(scene, tiny, campaign, nullptr);
-  EXPECT_EQ(ladder.options.meshes, (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ(ladder.options.meshes, (std::vector<double>{1, 2, 3, 4}));
   ASSERT_EQ(ladder.meshes.size(), 4u);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(ladder.meshes[i].elements_per_radius, i + 1);
@@ -53,10 +53,17 @@ TEST_F(LadderTest, RefusesFewerThanFourMeshesAndThreeReplicates) {
   EXPECT_EQ(checked({}, gold()).time_step_factor, gold().solver.time_step_factor);
 }
 
-TEST_F(LadderTest, GradedColumnsThatAreCountedOutGrowWithTheMesh) {
+TEST_F(LadderTest, GradedColumnsThatAreCountedOutGrowAlikeOnEveryMesh) {
   Scene scene = gold();
   scene.mesh.graded_columns = 7;  // beside 14 elements per radius
-  EXPECT_EQ(rung_scene(scene, 28, 0.8, Arithmetic::single_precision).mesh.graded_columns, 14);
+  const double growth = reduce(scene).mesh.growth;
+  EXPECT_EQ(rung_scene(scene, 14, 0.8, Arithmetic::single_precision).mesh.graded_columns, 7);
+  for (const double mesh : {9.5, 28.0, 50.0}) {
+    Scene rung = rung_scene(scene, mesh, 0.8, Arithmetic::single_precision);
+    EXPECT_LE(reduce(rung).mesh.growth, growth) << mesh;
+    --*rung.mesh.graded_columns;
+    EXPECT_GT(reduce(rung).mesh.growth, growth) << mesh;
+  }
   scene.mesh.graded_columns.reset();
   EXPECT_FALSE(rung_scene(scene, 28, 0.8, Arithmetic::single_precision).mesh.graded_columns.has_value());
 }

@@ -6,12 +6,12 @@
 
 namespace percal::study_test {
 
-inline Rung rung_at(int mesh, double depth, double spread, int replicates = 5) {
+inline Rung rung_at(double mesh, double depth, double spread, int replicates = 5) {
   Rung rung;
   rung.elements_per_radius = mesh;
   rung.time_step_factor = 0.8;
   rung.replicates = replicates;
-  rung.elements = 112L * mesh * mesh;
+  rung.elements = std::lround(112 * mesh * mesh);
   rung.steps = 800.0 * mesh;
   rung.cpu_seconds = 1e-3 * mesh * mesh * mesh;
   auto& p = rung.penetration;
@@ -27,7 +27,7 @@ inline Rung rung_at(int mesh, double depth, double spread, int replicates = 5) {
 inline Ladder ladder_of(double a, double p, double noise) {
   Ladder ladder;
   ladder.options.time_step_factor = 0.8;
-  for (const int mesh : ladder.options.meshes) {
+  for (const double mesh : ladder.options.meshes) {
     const double depth = 27 * (1 + a * std::pow(mesh, -p));
     ladder.meshes.push_back(rung_at(mesh, depth, noise * depth));
   }

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "page/page_words.hpp"
-#include "percal/mesh/graded.hpp"
+#include "percal/problem/domain.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/page/omissions.hpp"
 
@@ -100,16 +100,7 @@ TEST(Omissions, EachVariantIsAnotherProblemThatDiffersInWhatItSays) {
 TEST(Omissions, AWiderLayerKeepsTheGradingOfItsColumns) {
   const Scene scene = gold_sample();
   const OmissionPlan plan = plan_omissions(scene, reduce(scene), std::nullopt);
-  const auto growth = [](const Problem& p) {
-    const auto x = graded_mesh({.elements_per_radius = p.elements_per_radius,
-                                .fine_width = p.fine_width,
-                                .graded_columns = p.graded_columns,
-                                .width = p.width,
-                                .depth = 1})
-                       .radius;
-    const std::size_t last = x.size() - 1;
-    return (x[last] - x[last - 1]) / (x[last - 1] - x[last - 2]);
-  };
+  const auto growth = [](const Problem& p) { return graded_mesh(mesh_options(p)).growth; };
   const auto wide = std::ranges::find(plan.variants, "width x 2", &OmissionVariant::name);
   EXPECT_NEAR(growth(reduce(wide->scene).problem), growth(reduce(scene).problem), 0.05);
 }

@@ -8,8 +8,10 @@
 
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/hypothesis_fit.hpp"
+#include "percal/calibrate/run_sizes.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {
@@ -58,8 +60,11 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
       const double scatter = fit.best().scatter[shot.group];
       const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
       targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
-      candidates.push_back({shot_problem(job, read, shot, material, job.training.coarse),
-                            shot_problem(job, read, shot, material, job.training.fine)});
+      const auto drawn = static_cast<int>(candidates.size());
+      const auto on_mesh = [&](double mesh) {
+        return shot_problem(job, read, shot, material, drawn_mesh(mesh, seed, drawn));
+      };
+      candidates.push_back({on_mesh(job.training.coarse), on_mesh(job.training.fine)});
     }
   }
 }
@@ -91,8 +96,8 @@ bool best_points_hold(const CalibrationJob& job, const std::vector<int>& hypothe
     const JobModel model =
         finite_element_model(job, job.hypotheses[hypotheses[k]], training.emulator(), element_size(job));
     worst = std::max(worst, spread(fresh_runs(job, hypotheses[k], model, fits[k], training.emulator(), campaign)));
-    const auto more = fresh_problems(job, hypotheses[k], model, fits[k]);
-    problems.insert(problems.end(), more.begin(), more.end());
+    for (const Problem& problem : fresh_problems(job, hypotheses[k], model, fits[k]))
+      for (Problem& run : replicates_of(problem, job.training.verify_replicates)) problems.push_back(std::move(run));
   }
   announce(fmt::format("{}: fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
                        training.report().setting, worst));
@@ -216,6 +221,7 @@ std::string what_more_time_buys(const std::vector<EmulatorReport>& reports) {
 
 CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& campaign,
                             const CalibrationLimits& limits, const Announce& announce) {
+  largest_run(job);  // throws where it cannot be run
   CalibrationResult result;
   result.hypotheses.resize(job.hypotheses.size());
   bool complete = true;

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "percal/calibrate/hypothesis_fit.hpp"
+#include "percal/calibrate/layer_width.hpp"
 #include "percal/page/numbers.hpp"
+#include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
@@ -184,6 +186,17 @@ void closed_form_beside(const CalibrationResult& result, std::vector<std::string
         "Dehn's closed form, two numbers for a material, predicts better in {} of {} predictions.", better, tasks));
 }
 
+void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::vector<std::string>& sentences) {
+  if (job.shots.empty() || result.hypotheses.empty()) return;
+  const double width = job.shots.front().layer_width / job.shots.front().radius;
+  const std::string warning = width_warning(width, width_needed(job));
+  if (job.width_was_chosen)
+    sentences.push_back(fmt::format(
+        "The wall is at {:.4g} radii for all shots: the widest that any needs within the parameters' bounds.", width));
+  else if (!warning.empty())
+    sentences.push_back("Within the parameters' bounds " + warning + ".");
+}
+
 }  // namespace
 
 std::vector<std::string> overall_findings(const CalibrationJob& job, const CalibrationResult& result) {
@@ -192,6 +205,7 @@ std::vector<std::string> overall_findings(const CalibrationJob& job, const Calib
   spread_over_hypotheses(job, result, sentences);
   fresh_against_emulated(job, result, sentences);
   closed_form_beside(result, sentences);
+  the_wall(job, result, sentences);
   return sentences;
 }
 

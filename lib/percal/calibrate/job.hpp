@@ -39,18 +39,19 @@ struct CalibrationMaterial {
 // A sphere shot into a material.
 struct MeasuredShot {
   std::string label;
-  int material = 0;                         // of CalibrationJob::materials
-  double radius = 0, density = 0;           // m, kg/m3: of the sphere
-  double speed = 0, speed_error = 0;        // m/s, standard deviation
-  double layer_depth = 0, layer_width = 0;  // m
-  double depth = 0;                         // m, measured
-  double depth_error = 0;                   // m, standard deviation of this depth where one is known
-  bool at_least = false;                    // the particle was only seen to go this deep or deeper
-  bool used = true;                         // fitted; else only predicted
-  int group = 0;                            // scatter group
-  int set = 0;                              // of CalibrationJob::sets
-  std::map<std::string, std::string> row;   // its row of the table, for filters of cross-validation
-  std::string file = {};                    // the table; empty where the job says the shot itself
+  int material = 0;                        // of CalibrationJob::materials
+  double radius = 0, density = 0;          // m, kg/m3: of the sphere
+  double speed = 0, speed_error = 0;       // m/s, standard deviation
+  double layer_depth = 0;                  // m
+  double layer_width = 0;                  // m; all shots of a job have one width in radii
+  double depth = 0;                        // m, measured
+  double depth_error = 0;                  // m, standard deviation of this depth where one is known
+  bool at_least = false;                   // the particle was only seen to go this deep or deeper
+  bool used = true;                        // fitted; else only predicted
+  int group = 0;                           // scatter group
+  int set = 0;                             // of CalibrationJob::sets
+  std::map<std::string, std::string> row;  // its row of the table, for filters of cross-validation
+  std::string file = {};                   // the table; empty where the job says the shot itself
 };
 
 struct ShotSet {
@@ -101,15 +102,15 @@ struct PublishedPairs {
 
 // How runs are spent on the emulator.
 struct TrainingSettings {
-  int coarse = 8, fine = 16, verify = 20;  // elements per radius
-  int initial = 160;                       // runs of the first, space-filling design, coarse
-  int batch = 40;                          // runs of each later round
-  int most = 900;                          // runs altogether, for each emulator
-  double fine_share = 0.25;                // of each round
-  double accuracy = 0.2;                   // stop where the emulator's error is below this share of the data's
-  double failures_tolerated = 0.5;         // share of runs without a depth; above it the job stops and says why
-  int verify_replicates = 1;
-  unsigned seed = 20090401;
+  double coarse = 8, fine = 16, verify = 20;  // elements per radius; training runs draw theirs about the first two
+  int initial = 160;                          // runs of the first, space-filling design, coarse
+  int batch = 40;                             // runs of each later round
+  int most = 900;                             // runs altogether, for each emulator
+  double fine_share = 0.25;                   // of each round
+  double accuracy = 0.2;                      // stop where the emulator's error is below this share of the data's
+  double failures_tolerated = 0.5;            // share of runs without a depth; above it the job stops and says why
+  int verify_replicates = usual_replicates;
+  unsigned seed = 20090401;  // of points drawn from the data, and of the phases of the training meshes
 };
 
 struct CalibrationJob {
@@ -123,6 +124,7 @@ struct CalibrationJob {
   std::vector<Hypothesis> hypotheses;  // never empty
   std::vector<CrossValidation> cross_validations;
   std::vector<PublishedPairs> published;
+  bool width_was_chosen = false;  // by width_needed(), since no shot has one
   TrainingSettings training;
   SolverScene solver;
   bool dehn = true;  // the closed form beside it

@@ -48,7 +48,7 @@ struct Deviation {
 // A fresh run at the optimum, on a finer mesh than the emulator's: no final point is taken from the emulator alone.
 struct FreshRun {
   int shot = 0;
-  int elements_per_radius = 0;
+  double elements_per_radius = 0;
   std::optional<double> depth = {};  // m; none where it did not stop
   std::string outcome;
   double emulated = 0;      // m, on the same mesh

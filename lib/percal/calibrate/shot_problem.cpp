@@ -44,8 +44,8 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
   return at;
 }
 
-Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
-                     const MaterialAt& material, int elements_per_radius) {
+Scene shot_scene(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
+                 const MaterialAt& material, double elements_per_radius) {
   Scene scene;
   scene.source = job.file;
   scene.particle.radius = shot.radius;
@@ -62,7 +62,12 @@ Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, co
   scene.mesh.elements_per_radius = elements_per_radius;
   scene.solver = job.solver;
   scene.solver.contact_stiffness = hypothesis.contact_stiffness;
-  return reduce(scene).problem;
+  return scene;
+}
+
+Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
+                     const MaterialAt& material, double elements_per_radius) {
+  return reduce(shot_scene(job, hypothesis, shot, material, elements_per_radius)).problem;
 }
 
 ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material) {

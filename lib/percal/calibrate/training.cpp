@@ -10,6 +10,7 @@
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/math/draws.hpp"
+#include "percal/problem/replicates.hpp"
 #include "percal/text/sha256.hpp"
 
 namespace percal {
@@ -21,8 +22,9 @@ constexpr double near_enough = 0.7;   // of ln depth from the measured one
 constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
 constexpr int smallest_training = 24;
 constexpr int most_foreign = 600;
+constexpr double coarsest_foreign = 6;  // elements per radius that are fine enough for any job
 
-double element_size(int elements_per_radius) { return 1.0 / elements_per_radius; }
+double element_size(double elements_per_radius) { return 1.0 / elements_per_radius; }
 
 }  // namespace
 
@@ -61,7 +63,8 @@ std::vector<Problem> Training::space_filling_batch(int count) {
     const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
     const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
     const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
-    const int mesh = fine ? job_.training.fine : job_.training.coarse;
+    const double mesh =
+        drawn_mesh(fine ? job_.training.fine : job_.training.coarse, job_.training.seed, next_point_ + k);
     if (emulator_) {
       const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(mesh), true);
       const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
@@ -163,7 +166,7 @@ void Training::take_foreign_runs() {
       setting_of(shot_problem(job_, hypothesis_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
   const auto usable = [&](const StoredSphere& s) {
     return s.depth_over_radius && setting_of(s.problem) == setting &&
-           s.problem.elements_per_radius >= std::min(job_.training.coarse, 6);
+           s.problem.elements_per_radius >= std::min(job_.training.coarse, coarsest_foreign) - phase_span / 2;
   };
   if (!store_->note(name)) {
     std::string keys;

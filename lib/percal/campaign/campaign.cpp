@@ -15,7 +15,9 @@
 #include "percal/base/error.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/impact/target/size.hpp"
 #include "percal/observe/stored_run.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {
@@ -29,15 +31,10 @@ double thread_cpu_seconds() {
 // Below this many elements a second thread inside a run costs more than it gives.
 constexpr double worth_a_thread = 40'000;
 
-double elements_of(const Problem& p) {
-  const double columns = p.fine_width * p.elements_per_radius + p.graded_columns;
-  return columns * p.whole_depth() * p.elements_per_radius * (p.whole ? 2 : 1);
-}
-
 Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observer) {
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
-  const int threads = std::clamp(static_cast<int>(elements_of(problem) / worth_a_thread), 1, spare_threads);
+  const int threads = std::clamp(static_cast<int>(size_of(problem).elements / worth_a_thread), 1, spare_threads);
   Evaluation evaluation{.result = observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads),
                         .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
@@ -88,7 +85,7 @@ Evaluation Campaign::evaluate(const Problem& problem, int threads, FrameObserver
 }
 
 std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
-                                           FrameObserver* of_first) {
+                                           const Watch& watch) {
   // Problems that are the same are evaluated once; those with a history apart from those without.
   std::map<std::string, std::size_t> first_with_key;
   std::vector<std::size_t> stands_for(problems.size()), distinct;
@@ -102,7 +99,8 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
   std::vector<Evaluation> results(problems.size());
   const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(distinct.size())));
   side_by_side(static_cast<int>(distinct.size()), [&](int k) {
-    results[distinct[k]] = evaluate(problems[distinct[k]], threads_each, distinct[k] == 0 ? of_first : nullptr);
+    results[distinct[k]] =
+        evaluate(problems[distinct[k]], threads_each, distinct[k] == watch.problem ? watch.observer : nullptr);
     if (progress) progress->add();
   });
   for (std::size_t i = 0; i < problems.size(); ++i)
@@ -117,10 +115,7 @@ std::vector<std::vector<Evaluation>> Campaign::replicate(const std::vector<Probl
                                                          Progress* progress) {
   std::vector<Problem> all;
   for (const Problem& problem : problems)
-    for (int k = 0; k < replicates; ++k) {
-      all.push_back(problem);
-      all.back().speed_factor = replicate_speed_factor(k);
-    }
+    for (Problem& one : replicates_of(problem, replicates)) all.push_back(std::move(one));
   const auto flat = evaluate(all, progress);
   std::vector<std::vector<Evaluation>> grouped(problems.size());
   for (std::size_t i = 0; i < flat.size(); ++i) grouped[i / replicates].push_back(flat[i]);

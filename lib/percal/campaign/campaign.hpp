@@ -21,6 +21,12 @@ struct CampaignCost {
   double cpu_seconds = 0;  // of the runs done here
 };
 
+// An observer of one run of a batch, which is then never taken from the store; it is called from the thread that runs it.
+struct Watch {
+  FrameObserver* observer = nullptr;
+  std::size_t problem = 0;
+};
+
 // Thrown by a campaign that was asked to stop. What was finished before is in the store.
 class Interrupted : public std::exception {
  public:
@@ -36,12 +42,10 @@ class Campaign {
   // never taken from the store, which keeps none.
   Evaluation evaluate(const Problem& problem);
 
-  // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null. `of_first` looks
-  // at the run of the first problem, which is then never taken from the store, and is called from the thread that runs it.
-  std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress,
-                                   FrameObserver* of_first = nullptr);
+  // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null.
+  std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress, const Watch& watch = {});
 
-  // The replicates of each problem: results[i] belongs to problems[i].
+  // The replicates of each problem (problem/replicates.hpp): results[i] belongs to problems[i].
   std::vector<std::vector<Evaluation>> replicate(const std::vector<Problem>& problems, int replicates,
                                                  Progress* progress);
 

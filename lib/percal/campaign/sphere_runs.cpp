@@ -8,9 +8,13 @@
 #include "percal/base/error.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/observe/stored_run.hpp"
+#include "percal/problem/domain.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {
+
+static_assert(phase_span < one_mesh_span, "the phases of one mesh must not be taken for several meshes");
 
 bool is_for_an_emulator(const Problem& problem) {
   return problem.geometry == Geometry::axisymmetric && std::holds_alternative<StrainErosion>(problem.erosion);
@@ -56,8 +60,7 @@ std::string setting_of(const Problem& problem) {
   Problem plain = problem;
   plain.pi4 = plain.density_ratio = plain.alpha = plain.depth = plain.bulk_ratio = plain.speed_factor = 1;
   plain.erosion = StrainErosion{1};
-  const bool usual = plain.graded_columns == usual_graded_columns(plain.fine_width, plain.elements_per_radius);
-  if (usual) plain.graded_columns = 0;
+  if (plain.graded_columns == usual_graded_columns(plain)) plain.graded_columns = 0;
   plain.elements_per_radius = 1;
   return evaluation_key(plain, "any");
 }

@@ -62,6 +62,10 @@ struct Identification {
   bool complete() const { return tissue.erosion.has_value(); }
 };
 
+// The calibration shot at the identified pair of a complete identification, on the mesh and with the replicates of the ridge: the
+// erosion strain holds for that element size.
+Scene identified_scene(const IdentifyJob& job, const Identification& found);
+
 // The job outlives the result. Steps are announced to `announce` (may be empty) as they finish.
 Identification identify(const IdentifyJob& job, Campaign& campaign,
                         const std::function<void(const ComparedNumbers&)>& announce);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "percal/identify/identification.hpp"
+#include "percal/identify/run_sizes.hpp"
 
 namespace percal {
 namespace {
@@ -78,7 +79,7 @@ Shooting check_model_system(Campaign& campaign, const IdentifyJob& job, const Id
 std::vector<Shooting> study_mesh(Campaign& campaign, const IdentifyJob& job, const Identification& found) {
   const TargetMaterial target{job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain};
   std::vector<Scene> scenes;
-  for (const int elements : job.mesh_study)
+  for (const double elements : job.mesh_study)
     scenes.push_back(impact_scene(job, job.calibration, target, job.volumetric, elements));
   return shoot(campaign, scenes, job.check_replicates, "mesh study");
 }
@@ -147,13 +148,10 @@ std::optional<CardIntervals> intervals_of(const StrainOnRidge& erosion) {
 
 CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
   const double mu_true = true_modulus(found.tissue.mu, found.alpha, job.convention);
-  const Scene calibration = impact_scene(
-      job, job.calibration, {job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain},
-      job.volumetric, job.ridge.elements_per_radius);
   CardMaterial card{.name = job.card_name,
                     .density = job.tissue.density,
                     .terms = {{mu_true, found.alpha}},
-                    .bulk_modulus = reduce(calibration).bulk_modulus,
+                    .bulk_modulus = reduce(identified_scene(job, found)).bulk_modulus,
                     .erosion = CardErosion{found.tissue.erosion->strain, job.measure},
                     .comments = job.card_comments,
                     .intervals = intervals_of(*found.tissue.erosion),
@@ -172,8 +170,17 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
 
 }  // namespace
 
+Scene identified_scene(const IdentifyJob& job, const Identification& found) {
+  Scene scene = impact_scene(job, job.calibration,
+                             {job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain},
+                             job.volumetric, job.ridge.elements_per_radius);
+  scene.replicates = job.ridge.replicates;
+  return scene;
+}
+
 Identification identify(const IdentifyJob& job, Campaign& campaign,
                         const std::function<void(const ComparedNumbers&)>& announce) {
+  largest_run(job);  // throws where it cannot be run
   Identification found;
   const auto finish = [&](ComparedNumbers table) {
     if (announce) announce(table);

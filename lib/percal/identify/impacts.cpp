@@ -1,9 +1,11 @@
 #include "percal/identify/impacts.hpp"
 
+#include "percal/impact/target/size.hpp"
+
 namespace percal {
 
 Scene impact_scene(const IdentifyJob& job, const ParticleScene& particle, const TargetMaterial& target,
-                   const VolumetricChoice& volumetric, int elements_per_radius) {
+                   const VolumetricChoice& volumetric, double elements_per_radius) {
   Scene scene;
   scene.source = job.file;
   scene.particle = particle;
@@ -29,6 +31,8 @@ std::vector<Shooting> shoot(Campaign& campaign, const std::vector<Scene>& scenes
   for (const Scene& scene : scenes) {
     shots.push_back({.scene = scene, .reduction = reduce(scene), .runs = {}, .penetration = {}});
     problems.push_back(shots.back().reduction.problem);
+    shots.back().scene.replicates = replicates;
+    refuse_what_is_too_large(problems.back(), scene.source);
   }
   Progress progress(label, static_cast<long>(problems.size()) * replicates);
   auto runs = campaign.replicate(problems, replicates, &progress);

@@ -17,7 +17,7 @@ struct TargetMaterial {
 
 // A sphere into the job's layer, scaled with the sphere.
 Scene impact_scene(const IdentifyJob& job, const ParticleScene& particle, const TargetMaterial& target,
-                   const VolumetricChoice& volumetric, int elements_per_radius);
+                   const VolumetricChoice& volumetric, double elements_per_radius);
 
 // One scene with its replicates, evaluated.
 struct Shooting {

@@ -40,7 +40,8 @@ struct Tissue {
 
 struct Layer {
   double depth = 75;  // in particle radii, for every particle
-  double width = 5;
+  double width = 5;   // left out of the job: layer_width.hpp
+  bool width_was_chosen = false;
   Bottom bottom = Bottom::free;
 };
 
@@ -60,15 +61,16 @@ struct AlphaScan {
   std::vector<double> candidates;
   std::string target_name, file;  // of the table of known pairs
   std::vector<RidgePair> target;
-  int elements_per_radius = 10;
-  int replicates = 3;
+  double elements_per_radius = 10;
+  int replicates = usual_replicates;
 };
 using AlphaChoice = std::variant<AlphaGiven, AlphaScan>;
 
 struct RidgeSettings {
   std::vector<double> erosion_strains;
   double start = 0;  // Pa, as given: where the search for the modulus begins
-  int elements_per_radius = 10;
+  double elements_per_radius = 10;
+  int replicates = usual_replicates;  // of each depth on the way
 };
 
 // What a set of predictions is made with: a pair given in the job, or what the chain identified.
@@ -96,8 +98,8 @@ struct PredictionSet {
   PredictionMaterial material;
   double target_density = 0;
   VolumetricChoice volumetric = ChooseBulk{};
-  int elements_per_radius = 14;
-  int replicates = 3;
+  double elements_per_radius = 14;
+  int replicates = usual_replicates;
 };
 
 // A straight line through two columns of a table, in the table's own units.
@@ -148,9 +150,9 @@ struct IdentifyJob {
   SolverScene solver;
   AlphaChoice alpha = AlphaGiven{0};
   RidgeSettings ridge;
-  int check_elements_per_radius = 14;  // of the finite-element check of the model system
-  int check_replicates = 3;
-  std::vector<int> mesh_study;  // elements per radius at which the calibration impact is run again
+  double check_elements_per_radius = 14;  // of the finite-element check of the model system
+  int check_replicates = usual_replicates;
+  std::vector<double> mesh_study;  // elements per radius at which the calibration impact is run again
   std::vector<PredictionSet> predictions;
   std::vector<TrendTable> trends;
   std::optional<ScaledLine> scaled_line;

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "percal/identify/job.hpp"
+#include "percal/identify/layer_width.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/csv.hpp"
 #include "percal/text/csv_cells.hpp"
@@ -97,7 +98,7 @@ AlphaChoice read_alpha(const TomlTable& block, ModulusConvention convention) {
   if (scan.candidates.size() < 2 || scan.candidates.front() * scan.candidates.back() < 0)
     block.refuse("scan", scan.candidates.size() < 2 ? "one exponent" : "exponents of both signs",
                  "two or more exponents of one sign");
-  scan.elements_per_radius = block.integer("elements_per_radius", 1, 1000, scan.elements_per_radius);
+  scan.elements_per_radius = block.number("elements_per_radius", elements_per_radius_range(), scan.elements_per_radius);
   scan.replicates = block.integer("replicates", 1, 100, scan.replicates);
   const TomlTable target = block.table("target");
   const CsvTable table = table_of(target);
@@ -162,7 +163,7 @@ std::vector<PredictionSet> read_predictions(const TomlTable& block) {
   set.shots = read_shots_to_predict(block, table_of(block));
   set.material = read_material(block);
   set.volumetric = volumetric_from(block);
-  set.elements_per_radius = block.integer("elements_per_radius", 1, 1000, set.elements_per_radius);
+  set.elements_per_radius = block.number("elements_per_radius", elements_per_radius_range(), set.elements_per_radius);
   set.replicates = block.integer("replicates", 1, 100, set.replicates);
   std::vector<PredictionSet> sets;
   for (const double target_density : block.quantities("target_density", dimension::density, density)) {
@@ -307,11 +308,13 @@ IdentifyJob read_identify_job(const std::string& path) {
       calibration.optional_quantity("penetration_standard_error", dimension::length, not_negative("length"));
   job.model = read_sphere(root.table("model"));
 
+  job.layer.width_was_chosen = true;
   if (const auto layer = root.optional_table("layer")) {
     job.layer.depth =
         layer->number("depth_over_radius", Range{1, 1e6, true, false, "more than one radius"}, job.layer.depth);
-    job.layer.width =
-        layer->number("width_over_radius", Range{1, 1e6, true, false, "more than one radius"}, job.layer.width);
+    const auto width = layer->optional_number("width_over_radius", Range{1, 1e6, true, false, "more than one radius"});
+    job.layer.width_was_chosen = !width;
+    job.layer.width = width.value_or(job.layer.width);
     job.layer.bottom = layer->word("bottom", {"free", "fixed"}, 0) == 1 ? Bottom::fixed : Bottom::free;
   }
   if (const auto solver = root.optional_table("solver")) {
@@ -325,22 +328,19 @@ IdentifyJob read_identify_job(const std::string& path) {
   const TomlTable ridge = root.table("ridge");
   job.ridge.erosion_strains = ridge.numbers("erosion_strains", strain);
   job.ridge.start = ridge.quantity("start", dimension::pressure, pressure);
-  job.ridge.elements_per_radius = ridge.integer("elements_per_radius", 1, 1000, job.ridge.elements_per_radius);
+  job.ridge.elements_per_radius =
+      ridge.number("elements_per_radius", elements_per_radius_range(), job.ridge.elements_per_radius);
+  job.ridge.replicates = ridge.integer("replicates", 1, 100, job.ridge.replicates);
   const std::set<double> strains(job.ridge.erosion_strains.begin(), job.ridge.erosion_strains.end());
   if (strains.size() < 2) ridge.refuse("erosion_strains", "one strain", "two or more: a ridge");
   job.ridge.erosion_strains.assign(strains.begin(), strains.end());
   if (const auto check = root.optional_table("model_check")) {
-    job.check_elements_per_radius = check->integer("elements_per_radius", 1, 1000, job.check_elements_per_radius);
+    job.check_elements_per_radius =
+        check->number("elements_per_radius", elements_per_radius_range(), job.check_elements_per_radius);
     job.check_replicates = check->integer("replicates", 1, 100, job.check_replicates);
   }
-  if (const auto study = root.optional_table("mesh_study")) {
-    for (const double elements :
-         study->numbers("elements_per_radius", Range{1, 1000, false, false, "a whole number from 1 to 1000"})) {
-      if (elements != std::floor(elements))
-        study->refuse("elements_per_radius", "a fraction of an element", "whole numbers from 1 to 1000");
-      job.mesh_study.push_back(static_cast<int>(elements));
-    }
-  }
+  if (const auto study = root.optional_table("mesh_study"))
+    job.mesh_study = study->numbers("elements_per_radius", elements_per_radius_range());
   for (const TomlTable& block : root.tables("predictions"))
     for (auto& set : read_predictions(block)) job.predictions.push_back(std::move(set));
   for (const TomlTable& block : root.tables("trends")) job.trends.push_back(read_trend(block));
@@ -359,6 +359,7 @@ IdentifyJob read_identify_job(const std::string& path) {
   if (const auto block = root.optional_table("reference")) read_reference(*block, job);
   root.finish();
   check_references_between_blocks(root, job);
+  if (job.layer.width_was_chosen) job.layer.width = widest_needed(job);
   return job;
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/math/statistics.hpp"
+#include "percal/problem/replicates.hpp"
+
 namespace percal {
 namespace {
 
@@ -11,9 +14,12 @@ DepthOfModulus forward_model(Campaign& campaign, const IdentifyJob& job, double 
     const TargetMaterial target{job.tissue.density, std::exp(log_modulus), alpha, strain};
     const Scene scene = impact_scene(job, job.calibration, target, job.volumetric, job.ridge.elements_per_radius);
     const Reduction reduction = reduce(scene);
-    const Evaluation run = campaign.evaluate(reduction.problem);
-    const Outcome outcome = run.result.outcome;
-    return DepthAnswer{.depth = run.result.depth * reduction.scales.radius,
+    std::vector<Evaluation> runs;  // the searches run side by side: the replicates of one do not
+    for (const Problem& one : replicates_of(reduction.problem, job.ridge.replicates))
+      runs.push_back(campaign.evaluate(one));
+    const Penetration found = summarise(runs, reduction.problem, reduction.scales);
+    const Outcome outcome = found.outcome;
+    return DepthAnswer{.depth = mean(found.depths),
                        .censored = outcome == Outcome::passed_through,
                        .valid = outcome == Outcome::stopped || outcome == Outcome::passed_through,
                        .why = word(outcome)};

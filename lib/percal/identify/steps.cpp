@@ -7,6 +7,7 @@
 
 #include "percal/identify/identification.hpp"
 #include "percal/page/numbers.hpp"
+#include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
@@ -255,8 +256,27 @@ ComparedNumbers prediction_step(const IdentifyJob& job, const PredictionResult& 
   return table;
 }
 
+namespace {
+
+// Radii: what usual_width() asks of the shots at the materials that were found.
+double width_needed(const IdentifyJob& job, const Identification& found) {
+  double widest = 0;
+  const auto look_at = [&](const Problem& p) { widest = std::max(widest, usual_width(p.pi4, p.density_ratio)); };
+  if (found.complete()) look_at(reduce(identified_scene(job, found)).problem);
+  for (const PredictionResult& prediction : found.predictions)
+    for (const Shooting& shot : prediction.shots) look_at(shot.reduction.problem);
+  return widest;
+}
+
+}  // namespace
+
 std::vector<std::string> findings(const IdentifyJob& job, const Identification& found) {
   std::vector<std::string> lines;
+  if (job.layer.width_was_chosen)
+    lines.push_back(fmt::format(
+        "the wall is at {:.4g} radii for every sphere: the widest that any shot of the job needs", job.layer.width));
+  if (const std::string warning = width_warning(job.layer.width, width_needed(job, found)); !warning.empty())
+    lines.push_back(warning);
   if (found.alpha_scan) {
     lines.push_back(
         "alpha is fitted to the ridge's known pairs: the ridge is in-sample. The predictions and the model check are "

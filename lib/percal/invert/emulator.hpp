@@ -73,6 +73,9 @@ struct LeaveOneOut {
   double coverage95 = 0;              // share within the stated 95 %
 };
 
+// Elements per radius: runs no further apart are on one mesh, in different phases, and tell nothing of the element size.
+inline constexpr double one_mesh_span = 1.7 * (1 + 1e-9);
+
 class Emulator {
  public:
   // The same runs in the same order give the same bits. Throws BadInput for fewer than 2 * sphere_inputs runs.

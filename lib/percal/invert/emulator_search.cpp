@@ -24,7 +24,8 @@ double spread(const Eigen::VectorXd& centred) {
 }
 
 bool has_several_meshes(const std::vector<TrainingRun>& runs) {
-  return std::ranges::any_of(runs, [&](const TrainingRun& run) { return run.h != runs.front().h; });
+  const auto [finest, coarsest] = std::ranges::minmax(runs, {}, &TrainingRun::h);
+  return 1 / finest.h - 1 / coarsest.h > one_mesh_span;
 }
 
 // What a hyperparameter is before the runs are seen: normal, between bounds.

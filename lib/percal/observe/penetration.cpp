@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/problem/replicates.hpp"
+
 namespace percal {
 namespace {
 
@@ -17,15 +19,6 @@ EnergyLedger mean_energy(const std::vector<Evaluation>& replicates) {
 }
 
 }  // namespace
-
-std::vector<Problem> replicates_of(const Problem& problem, int count) {
-  std::vector<Problem> replicates(count, problem);
-  for (int k = 0; k < count; ++k) {
-    replicates[k].speed_factor = replicate_speed_factor(k);
-    if (k > 0) replicates[k].history_samples = 0;
-  }
-  return replicates;
-}
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales) {
   Penetration p;
@@ -66,8 +59,11 @@ std::vector<std::string> warnings(const Penetration& penetration, const std::vec
         "contact springs dropped at erosion ({:.0f} %) and bulk viscosity ({:.0f} %) take more than a quarter "
         "of the impact energy: a finer mesh lowers the first",
         100 * penetration.energy.contact_dropped, 100 * penetration.energy.viscosity));
+  const int count = static_cast<int>(replicates.size());
   double overlap = 0;
-  for (const auto& run : replicates) overlap = std::max(overlap, run.result.largest_gap / problem.elements_per_radius);
+  for (int k = 0; k < count; ++k)
+    overlap =
+        std::max(overlap, replicates[k].result.largest_gap / replicate_mesh(problem.elements_per_radius, k, count));
   if (overlap > tolerated_overlap)
     lines.push_back(
         fmt::format("nodes were up to {:.2g} radii inside the sphere: its contact springs are too soft for this "

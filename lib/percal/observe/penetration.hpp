@@ -18,17 +18,14 @@ struct Evaluation {
   bool reused = false;  // taken from the store
 };
 
-// A problem's replicates, at slightly different speeds. The first keeps the history, the others are for the scatter.
-std::vector<Problem> replicates_of(const Problem& problem, int count);
-
-// The replicates of one problem. Depths are averaged only where every run stopped: outcomes of different kinds are never
+// The replicates of one problem (problem/replicates.hpp). Depths are averaged only where every run stopped: outcomes of different kinds are never
 // mixed into one number.
 struct Penetration {
   Outcome outcome = Outcome::unstable;  // the common one; where they differ, the first that is not `stopped`
   bool mixed = false;
   std::vector<Outcome> outcomes;
   std::optional<double> depth;           // m, mean
-  std::optional<double> spread;          // m, sample standard deviation; needs two runs
+  std::optional<double> spread;          // m, sample standard deviation over phase and speed; needs two runs
   std::optional<double> standard_error;  // m, spread / sqrt(runs)
   std::optional<double> at_least;        // m: the layer's depth, where a run passed through it
   std::vector<double> depths;            // m, of each run, deepest tip position whatever the outcome

@@ -12,7 +12,8 @@
 namespace percal {
 
 // Elements that are stretched or loaded too far are taken out of the mesh, or nothing is: NoErosion, StrainErosion,
-// StressErosion, EnergyErosion of scene/scene.hpp, limits over rho_t v^2.
+// StressErosion, EnergyErosion of scene/scene.hpp, limits over rho_t v^2. What decides is an element's own value, or an average
+// within a length too: NoAverage, AverageWithin of scene/scene.hpp, in radii.
 
 // The deviatoric stress relaxes, or it does not: NoRelaxation, PronySeries of scene/scene.hpp, times in radii at impact speed.
 
@@ -51,6 +52,7 @@ struct LowerLayer {
   bool operator==(const LowerLayer&) const = default;
 };
 
-static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoRelaxation> && std::is_empty_v<RigidSphere>);
+static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
+              std::is_empty_v<RigidSphere>);
 
 }  // namespace percal

@@ -64,6 +64,8 @@ std::string choices_text(const Problem& p) {
   if (p.volumetric_law == VolumetricLaw::quadratic) text += " volumetric=quadratic";
   if (p.volumetric_law == VolumetricLaw::logarithmic) text += " volumetric=logarithmic";
   if (p.eroded_nodes == ErodedNodes::in_contact) text += " eroded-nodes-in-contact";
+  if (const auto* average = std::get_if<AverageWithin>(&p.erosion_average))
+    text += fmt::format(" length={:.12g}", average->length);
   if (p.rates != 2) text += fmt::format(" rates={}", p.rates);
   return text;
 }
@@ -124,7 +126,8 @@ std::string sphere_key_prefix(const std::string& instruction_level) {
 std::string evaluation_key(const Problem& p, const std::string& instruction_level) {
   return fmt::format(
              "{} solver={} level={} arithmetic={} pi4={:.12g} density_ratio={:.12g} alpha={:.12g} bulk_ratio={:.12g} "
-             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={},{:.12g},{} contact={:.12g} hourglass={:.12g} "
+             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={:.12g},{:.12g},{} contact={:.12g} "
+             "hourglass={:.12g} "
              "viscosity={:.12g},{:.12g} step={:.12g} end={:.12g} speed={:.12g}",
              std::visit(ParticleText{}, p.particle), solver_version, instruction_level,
              p.arithmetic == Arithmetic::single_precision ? "single" : "double", p.pi4, p.density_ratio, p.alpha,
@@ -148,7 +151,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.bottom = words.text("bottom") == "fixed" ? Bottom::fixed : Bottom::free;
   p.erosion = erosion_of(words.text("erosion"));
   const auto mesh = words.numbers("mesh");
-  p.elements_per_radius = static_cast<int>(mesh[0]);
+  p.elements_per_radius = mesh[0];
   p.fine_width = mesh[1];
   p.graded_columns = static_cast<int>(mesh[2]);
   p.contact_stiffness = words.number("contact");
@@ -165,6 +168,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.volumetric_law = volumetric_law_of(words.text("volumetric"));
   if (words.alone.contains("hourglass-viscosity")) p.hourglass_form = HourglassForm::viscosity;
   if (words.alone.contains("eroded-nodes-in-contact")) p.eroded_nodes = ErodedNodes::in_contact;
+  if (words.values.contains("length")) p.erosion_average = AverageWithin{words.number("length")};
   if (words.values.contains("rates")) p.rates = static_cast<int>(words.number("rates"));
   if (evaluation_key(p, instruction_level) != key) return std::nullopt;
   return p;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "percal/scene/profile.hpp"
 
@@ -76,14 +75,6 @@ bool is_elastic(const Scene& scene) {
   const auto ratio = stress_over_particle_stiffness(scene);
   if (!sphere || !ratio || scene.particle.elasticity == Elasticity::rigid) return false;
   return scene.particle.elasticity == Elasticity::elastic || *ratio >= rigid_below;
-}
-
-double particle_density(const Scene& scene) {
-  const auto* profile = std::get_if<ProfileShape>(&scene.particle.shape);
-  if (!profile || !profile->mass) return scene.particle.density;
-  const double scale = scene.particle.radius / half_width(standing(*profile));
-  const double measure = solid_body(*profile, scene.geometry).measure * scale * scale;
-  return *profile->mass / (scene.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi * measure * scale : measure);
 }
 
 Particle reduced_particle(const Scene& scene, double density_ratio) {

@@ -14,9 +14,6 @@ std::optional<double> stress_over_particle_stiffness(const Scene& scene);
 // axisymmetric scene can be one.
 bool is_elastic(const Scene& scene);
 
-// kg/m3; of a profile with a mass: what makes that mass.
-double particle_density(const Scene& scene);
-
 // `density_ratio` rounded, as the problem holds it.
 Particle reduced_particle(const Scene& scene, double density_ratio);
 

@@ -22,9 +22,10 @@ struct Problem {
   Particle particle = RigidSphere{};
   std::vector<LowerLayer> below;  // `depth` is then the first layer's thickness
   Erosion erosion = NoErosion{};
+  ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
 
-  int elements_per_radius = 10;
+  double elements_per_radius = 10;
   double fine_width = 1;
   int graded_columns = 5;
 
@@ -73,6 +74,13 @@ struct LeftOut {
 // What a run does without; said with every result.
 std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& problem);
 
+// What of the mesh the scene left to the rules, and what came of it.
+struct MeshChoice {
+  bool width_was_chosen = false, columns_were_chosen = false;
+  double columns = 0;  // of a right half
+  double growth = 1;   // of its graded columns
+};
+
 struct Reduction {
   Problem problem;
   Scales scales;
@@ -80,6 +88,7 @@ struct Reduction {
   double bulk_modulus = 0;  // Pa
   double mach = 0;
   bool bulk_was_chosen = false;
+  MeshChoice mesh;
   std::vector<LeftOut> left_out;
   std::vector<std::string> warnings;
 };
@@ -87,12 +96,6 @@ struct Reduction {
 // The scene without its dimensions; every input is rounded to 12 significant digits, so that one scene written in other
 // units, and two similar systems, are the same problem to the last bit.
 Reduction reduce(const Scene& scene);
-
-// Where the scene does not say: half of the columns that are not graded, 2 or more.
-int usual_graded_columns(double fine_width, int elements_per_radius);
-
-// The factors of the replicates: 1, 1.001, 0.999, 1.002, 0.998, ...
-double replicate_speed_factor(int replicate);
 
 // The canonical text of a problem: every number that decides the result, the solver's version and the instruction level.
 std::string evaluation_key(const Problem& problem, const std::string& instruction_level);

@@ -5,14 +5,18 @@
 #include <cstdlib>
 #include <limits>
 
+#include "percal/problem/domain.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/profile.hpp"
+#include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
 
 constexpr int usual_history_samples = 400;
+constexpr double longest_sensible_average = 1;  // radii
 
 struct BulkRatio {
   double pi4;
@@ -50,6 +54,20 @@ struct ReducedErosion {
   }
 };
 
+// The average where something erodes, in radii. Throws BadInput where the mesh is too coarse for it.
+ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
+  const auto length = erosion_length(scene.target);
+  if (!length || std::holds_alternative<NoErosion>(scene.target.erosion)) return NoAverage{};
+  need_elements_in_erosion_length(scene, {.file = scene.source, .line = 0, .key = "target.erosion.length"});
+  const double radii = round_to_12_digits(*length / scene.particle.radius);
+  if (radii > longest_sensible_average)
+    reduction.warnings.push_back(
+        fmt::format("erosion is judged over {:.3g} radii: over more than one, the average hardly tells the tip of the "
+                    "channel from its wall",
+                    radii));
+  return AverageWithin{radii};
+}
+
 // The limit of a layer below, as the first one's is meant.
 double lower_limit(const LowerLayerScene& layer, const Erosion& first, double stress) {
   if (!layer.erosion_limit || std::holds_alternative<NoErosion>(first)) return std::numeric_limits<double>::infinity();
@@ -84,9 +102,9 @@ Relaxation reduced_relaxation(const Scene& scene) {
 }
 
 void take_mesh(const Scene& scene, Problem& p) {
-  p.elements_per_radius = scene.mesh.elements_per_radius;
+  p.elements_per_radius = round_to_12_digits(scene.mesh.elements_per_radius);
   p.fine_width = round_to_12_digits(scene.mesh.fine_width);
-  p.graded_columns = scene.mesh.graded_columns.value_or(usual_graded_columns(p.fine_width, p.elements_per_radius));
+  p.graded_columns = scene.mesh.graded_columns ? *scene.mesh.graded_columns : usual_graded_columns(p);
   p.whole = scene.geometry == Geometry::plane_strain && (scene.mesh.whole || needs_both_halves(scene.particle));
 }
 
@@ -140,12 +158,13 @@ Reduction reduce(const Scene& scene) {
   p.alpha = round_to_12_digits(target.alpha);
   p.bulk_ratio = bulk_ratio(target.volumetric, p.pi4, target.name, scene.solver, reduction);
   p.depth = round_to_12_digits(target.depth / particle.radius);
-  p.width = round_to_12_digits(target.width / particle.radius);
+  p.width = round_to_12_digits(width_of(scene) / particle.radius);
   p.bottom = target.bottom;
   p.geometry = scene.geometry;
   p.particle = reduced_particle(scene, p.density_ratio);
   p.below = layers_below(scene, stress, reduction);
   p.erosion = std::visit(ReducedErosion{stress}, target.erosion);
+  p.erosion_average = reduced_average(scene, reduction);
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);
   take_solver(scene, p);
@@ -157,6 +176,8 @@ Reduction reduce(const Scene& scene) {
   reduction.left_out = list_what_is_left_out(scene, p);
   warn_of_the_particle(scene, reduction);
   warn_of_the_mach_number(reduction);
+  reduction.mesh = mesh_choice(scene, p);
+  for (std::string& warning : mesh_warnings(scene, p)) reduction.warnings.push_back(std::move(warning));
   return reduction;
 }
 
@@ -174,16 +195,6 @@ double mach_number(const Problem& problem) {
 }
 
 double subsonic_bulk_ratio(double pi4) { return 1.01 * pi4 / (recommended_mach * recommended_mach) - 4.0 / 3; }
-
-int usual_graded_columns(double fine_width, int elements_per_radius) {
-  const int fine_columns = std::max(1, static_cast<int>(std::lround(fine_width * elements_per_radius)));
-  return std::max(2, (fine_columns + 1) / 2);
-}
-
-double replicate_speed_factor(int replicate) {
-  const int step = (replicate + 1) / 2;
-  return 1 + (replicate % 2 == 1 ? 0.001 : -0.001) * step;
-}
 
 double round_to_12_digits(double x) { return std::strtod(fmt::format("{:.11e}", x).c_str(), nullptr); }
 

@@ -3,11 +3,12 @@
 #include <cmath>
 
 #include "percal/scaling/similar.hpp"
+#include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
 
-// Profile, lower layers, erosion limits and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
+// Profile, lower layers, erosion and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
 void scale_the_rest(Scene& scene, const System& prototype, const System& model) {
   const auto ratio = [&](auto member) { return required(model, member) / required(prototype, member); };
   const double length = ratio(&System::radius), density = ratio(&System::target_density), pressure = ratio(&System::mu);
@@ -26,6 +27,7 @@ void scale_the_rest(Scene& scene, const System& prototype, const System& model) 
   }
   if (auto* stress = std::get_if<StressErosion>(&scene.target.erosion)) stress->limit *= pressure;
   if (auto* energy = std::get_if<EnergyErosion>(&scene.target.erosion)) energy->limit *= pressure;
+  if (auto* average = std::get_if<AverageWithin>(&scene.target.erosion_average)) average->length *= length;
   if (auto* series = std::get_if<PronySeries>(&scene.target.relaxation))
     for (PronyTerm& term : series->terms) term.time = map_time(term.time, prototype, model);
   if (scene.solver.end_time) scene.solver.end_time = map_time(*scene.solver.end_time, prototype, model);
@@ -48,7 +50,7 @@ SystemInput system_of(const Scene& scene) {
   system.mu = true_modulus(layer.mu_as_given, layer.alpha, layer.convention);
   system.alpha = layer.alpha;
   system.depth = layer.depth;
-  system.width = layer.width;
+  system.width = width_of(scene);
   if (const auto* erosion = std::get_if<StrainErosion>(&layer.erosion)) {
     input.measure = erosion->measure;
     system.erosion_strain = erosion->limit;
@@ -70,7 +72,7 @@ Scene similar_scene(const Scene& prototype_scene, const System& prototype, const
   scene.target.mu_as_given =
       modulus_as_given(required(model, &System::mu), scene.target.alpha, scene.target.convention);
   scene.target.depth = required(model, &System::depth);
-  scene.target.width = required(model, &System::width);
+  if (scene.target.width) scene.target.width = required(model, &System::width);  // else the same rule finds it
   scale_the_rest(scene, prototype, model);
   return scene;
 }

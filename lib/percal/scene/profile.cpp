@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace percal {
 
@@ -37,6 +38,14 @@ double reach(const ParticleScene& particle, Geometry geometry) {
     farthest = std::max(farthest, profile->free_rotation ? std::hypot(across, y - centre[1]) : std::abs(across));
   }
   return farthest;
+}
+
+double particle_density(const Scene& scene) {
+  const auto* profile = std::get_if<ProfileShape>(&scene.particle.shape);
+  if (!profile || !profile->mass) return scene.particle.density;
+  const double scale = scene.particle.radius / half_width(standing(*profile));
+  const double measure = solid_body(*profile, scene.geometry).measure * scale * scale;
+  return *profile->mass / (scene.geometry == Geometry::axisymmetric ? 2 * std::numbers::pi * measure * scale : measure);
 }
 
 }  // namespace percal

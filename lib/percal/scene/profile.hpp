@@ -22,4 +22,7 @@ bool needs_both_halves(const ParticleScene& particle);
 // may turn, in any position.
 double reach(const ParticleScene& particle, Geometry geometry);
 
+// kg/m3; of a profile with a mass: what makes that mass.
+double particle_density(const Scene& scene);
+
 }  // namespace percal

@@ -49,6 +49,18 @@ struct EnergyErosion {
 };
 using Erosion = std::variant<NoErosion, StrainErosion, StressErosion, EnergyErosion>;
 
+// --- over what erosion is judged --------------------------------------------------------------------------------
+// Each element by its own value.
+struct NoAverage {
+  bool operator==(const NoAverage&) const = default;
+};
+// Besides by the average of the stored energy over its limit, within this length: docs/theory/impact.md (23).
+struct AverageWithin {
+  double length;  // m in a scene, radii in a problem
+  bool operator==(const AverageWithin&) const = default;
+};
+using ErosionAverage = std::variant<NoAverage, AverageWithin>;
+
 // --- relaxation -------------------------------------------------------------------------------------------------
 struct NoRelaxation {
   bool operator==(const NoRelaxation&) const = default;
@@ -103,10 +115,11 @@ struct LayerScene {
   ModulusConvention convention = ModulusConvention::true_shear;
   double alpha = 0;
   VolumetricChoice volumetric = ChooseBulk{};
-  double depth = 0;  // m
-  double width = 0;  // m, radius of the fixed outer wall
+  double depth = 0;             // m
+  std::optional<double> width;  // m, radius of the fixed outer wall; left out: scene/width.hpp
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
+  ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
   bool operator==(const LayerScene&) const = default;
 };
@@ -124,12 +137,12 @@ struct LowerLayerScene {
   bool operator==(const LowerLayerScene&) const = default;
 };
 
-// The mesh: square elements of side radius/elements_per_radius within fine_width radii of the axis, then
+// The mesh: square elements of side radius/elements_per_radius to fine_width radii from the axis or just beyond, then
 // graded_columns columns growing geometrically to the wall.
 struct MeshScene {
-  int elements_per_radius = 10;
+  double elements_per_radius = 10;    // need not be whole
   double fine_width = 1.0;            // in particle radii
-  std::optional<int> graded_columns;  // left out: half of the fine ones
+  std::optional<int> graded_columns;  // left out: as many as keep their growth at most usual_growth (mesh/graded.hpp)
   bool whole = false;                 // plane strain: both halves even where the scene is symmetric
   bool operator==(const MeshScene&) const = default;
 };
@@ -163,6 +176,9 @@ struct OutputScene {
   bool operator==(const OutputScene&) const = default;
 };
 
+// Runs on meshes of different phase, each at a speed of its own, whose mean is a depth.     docs/decisions/0012-mesh-and-phase.md
+inline constexpr int usual_replicates = 5;
+
 struct Scene {
   std::string source;  // file it was read from, for messages
   Geometry geometry = Geometry::axisymmetric;
@@ -172,7 +188,7 @@ struct Scene {
   MeshScene mesh;
   SolverScene solver;
   OutputScene output;
-  int replicates = 3;  // runs at speeds times 1, 1.001, 0.999, 1.002, ...
+  int replicates = usual_replicates;  // runs whose mean is the depth: problem/replicates.hpp
   bool operator==(const Scene&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "percal/math/polygon.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/scene_toml.hpp"
 
@@ -122,12 +123,13 @@ void write_target(Lines& lines, const LayerScene& target) {
   lines.number("alpha", target.alpha);
   write_volumetric(lines, target.volumetric);
   lines.quantity("depth", target.depth, "m");
-  lines.quantity("width", target.width, "m");
+  if (target.width) lines.quantity("width", *target.width, "m");
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
   if (!std::holds_alternative<NoErosion>(target.erosion)) {
     lines.table("target.erosion");
     std::visit(WriteLimit{lines, std::visit(LimitOf{}, target.erosion)}, target.erosion);
     if (const auto* strain = std::get_if<StrainErosion>(&target.erosion)) lines.word("measure", word(strain->measure));
+    if (const auto length = erosion_length(target)) lines.quantity("length", *length, "m");
   }
   if (const auto* series = std::get_if<PronySeries>(&target.relaxation)) {
     for (const PronyTerm& term : series->terms) {
@@ -155,7 +157,7 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
 
 void write_mesh(Lines& lines, const MeshScene& mesh) {
   lines.table("mesh");
-  lines.integer("elements_per_radius", mesh.elements_per_radius);
+  lines.number("elements_per_radius", mesh.elements_per_radius);
   lines.number("fine_width", mesh.fine_width);
   if (mesh.graded_columns) lines.integer("graded_columns", *mesh.graded_columns);
   lines.flag("whole", mesh.whole);

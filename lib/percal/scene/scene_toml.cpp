@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
+#include "percal/scene/width.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
@@ -51,6 +53,29 @@ Erosion read_erosion(const TomlTable& target) {
   if (key == "stress") return StressErosion{limit};
   if (key == "energy") return EnergyErosion{limit};
   return StrainErosion{limit, measure};
+}
+
+// Which of the two keys of the length is given; empty: neither.
+std::string erosion_length_key(const TomlTable& erosion) {
+  for (const char* key : {"length", "length_in_radii"})
+    if (erosion.has(key)) return key;
+  return "";
+}
+
+ErosionAverage read_erosion_average(const TomlTable& target, const ParticleScene& particle) {
+  const auto table = target.optional_table("erosion");
+  if (!table) return NoAverage{};
+  const auto length = table->optional_quantity("length", dimension::length, positive("length"));
+  const auto in_radii = table->optional_number("length_in_radii", positive("number of radii"));
+  if (length && in_radii)
+    table->refuse("length_in_radii", "this beside length",
+                  "one of the two, or neither: each element is then judged by itself");
+  if (!length && !in_radii) return NoAverage{};
+  if (table->has("stress"))
+    table->refuse(
+        erosion_length_key(*table), "this beside stress",
+        "a length beside strain or energy: what is averaged is the energy, and a limit of stress is none of it");
+  return AverageWithin{length ? *length : *in_radii * particle.radius};
 }
 
 Relaxation read_relaxation(const TomlTable& target) {
@@ -127,11 +152,12 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
   target.volumetric = volumetric_from(table);
   target.depth = table.quantity("depth", dimension::length, depth);
   const double widest = reach(particle, geometry);
-  target.width = table.quantity(
+  target.width = table.optional_quantity(
       "width", dimension::length,
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
   target.erosion = read_erosion(table);
+  target.erosion_average = read_erosion_average(table, particle);
   target.relaxation = read_relaxation(table);
   return target;
 }
@@ -154,7 +180,6 @@ std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, co
 }
 
 constexpr double largest_time_step = 1.2;  // beyond it nothing is stable; docs/formats/scene.md
-constexpr int most_elements_per_radius = 1000;
 constexpr int most_graded_columns = 10000;
 constexpr int most_replicates = 1000;
 
@@ -165,9 +190,8 @@ Choice choice(const TomlTable& table, const char* key, const std::vector<std::st
 
 MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
   MeshScene mesh;
-  mesh.elements_per_radius =
-      table.integer("elements_per_radius", 1, most_elements_per_radius, mesh.elements_per_radius);
-  const double width_in_radii = scene.target.width / scene.particle.radius;
+  mesh.elements_per_radius = table.number("elements_per_radius", elements_per_radius_range(), mesh.elements_per_radius);
+  const double width_in_radii = width_of(scene) / scene.particle.radius;
   constexpr double rounding = 1 + 1e-12;  // of width/radius
   const Range within_target{
       .low = 0,
@@ -233,6 +257,8 @@ VolumetricChoice volumetric_from(const TomlTable& table) {
   return ChooseBulk{};
 }
 
+Range elements_per_radius_range() { return {.low = 1, .high = 1000, .words = "a number from 1 to 1000"}; }
+
 SolverScene solver_from(const TomlTable& table) {
   SolverScene solver;
   const auto share = [&table](const char* key, double fallback) { return table.number(key, not_negative(), fallback); };
@@ -264,6 +290,10 @@ Scene scene_from(const TomlTable& table) {
   scene.below = read_below(table, target, scene);
   if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, scene);
   if (scene.geometry == Geometry::plane_strain && needs_both_halves(scene.particle)) scene.mesh.whole = true;
+  if (erosion_length(scene.target)) {
+    const TomlTable erosion = target.table("erosion");
+    need_elements_in_erosion_length(scene, erosion.place(erosion_length_key(erosion)));
+  }
   if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver);
   if (const auto output = table.optional_table("output"))
     scene.output.history = output->flag("history", scene.output.history);

@@ -18,6 +18,9 @@ Scene scene_from(const TomlTable& table);
 VolumetricChoice volumetric_from(const TomlTable& table);
 SolverScene solver_from(const TomlTable& table);
 
+// What an `elements_per_radius` may be, wherever one is written.
+Range elements_per_radius_range();
+
 // Text that parse_scene reads as the same scene bit for bit, but for the names of files (`source`, `vertices_file`): every
 // setting written out, in SI. A profile is written as its vertices, whatever words and file it came from.
 // `comment` stands at the top, each of its lines behind "# "; it may be empty.

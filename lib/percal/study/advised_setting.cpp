@@ -23,14 +23,15 @@ int replicates_for(double target, double discretisation, double noise) {
 }
 
 struct Candidate {
-  int elements_per_radius = 0, replicates = 0;
+  double elements_per_radius = 0;
+  int replicates = 0;
   double discretisation = 0;
   double cpu_seconds = unbounded;
   bool is_extrapolated = false;
   bool is_found() const { return replicates > 0; }
 };
 
-void keep_cheaper(Candidate& best, int mesh, double discretisation, double run_seconds, const LadderModel& model,
+void keep_cheaper(Candidate& best, double mesh, double discretisation, double run_seconds, const LadderModel& model,
                   double target) {
   const int replicates = replicates_for(target, discretisation, model.noise);
   if (replicates > 0 && replicates * run_seconds < best.cpu_seconds)
@@ -43,7 +44,7 @@ Candidate cheapest(std::span<const Rung> rungs, const LadderModel& model, const 
     keep_cheaper(best, rungs[i].elements_per_radius, model.discretisation[i], rungs[i].cpu_seconds, model, target);
   if (best.is_found()) return best;
   best.is_extrapolated = true;
-  for (int mesh = rungs.back().elements_per_radius + 1; mesh <= finest_advised_mesh; ++mesh) {
+  for (double mesh = std::floor(rungs.back().elements_per_radius) + 1; mesh <= finest_advised_mesh; ++mesh) {
     const double fitted = model.fit.error_at(1.0 / mesh) / model.fit.limit;
     keep_cheaper(best, mesh, std::hypot(fitted, model.irregularity), cost.at(mesh), model, target);
   }

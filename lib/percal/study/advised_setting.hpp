@@ -19,7 +19,7 @@ struct AdvisedSetting {
   bool is_found = false;
   std::string why_not;             // where none was found
   bool cost_is_estimated = false;  // no mesh of the ladder reaches it: mesh, error and cost are extrapolated
-  int elements_per_radius = 0;
+  double elements_per_radius = 0;
   int replicates = 0;
   double discretisation_error = 0, noise_error = 0, error = 0;
   double cpu_seconds = 0;                                   // of all replicates

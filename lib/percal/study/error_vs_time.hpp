@@ -31,7 +31,7 @@ struct RungError {
 
 // A change of a numerical setting: the share by which it changes the depth, with its standard error.
 struct Change {
-  int elements_per_radius = 0;
+  double elements_per_radius = 0;
   std::optional<double> share, standard_error;  // not there unless both stopped
   double cost_ratio = 0;                        // processor time over that without the change
   bool is_significant() const;                  // more than two standard errors

@@ -50,7 +50,7 @@ void set_radius(Scene& s, double to) {
   const double factor = to / s.particle.radius;
   s.particle.radius = to;
   s.target.depth *= factor;
-  s.target.width *= factor;
+  *s.target.width *= factor;
   *s.solver.end_time *= factor;
 }
 void make_elastic(Scene& s, double youngs_modulus) {
@@ -212,7 +212,7 @@ void add_particles(Matrix& m) {
 
 void add_meshes(Matrix& m) {
   m.group("mesh");
-  for (const int n : {1, 2, 40, 100})
+  for (const double n : {1, 2, 40, 100})
     m.add(fmt::format("{} element{} per radius", n, n == 1 ? "" : "s"), [=](Scene& s) {
       s.mesh.elements_per_radius = n;
       if (n >= 40) s.target.depth = 3 * radius;

@@ -18,7 +18,7 @@ std::string numbered(const std::string& key, int number) { return fmt::format("{
 LadderOptions parse(const std::string& payload, const std::string& path) {
   try {
     const Json json = Json::parse(payload);
-    return {.meshes = json.at("meshes").get<std::vector<int>>(),
+    return {.meshes = json.at("meshes").get<std::vector<double>>(),
             .replicates = json.at("replicates").get<int>(),
             .time_step_factor = json.at("time_step_factor").get<double>()};
   } catch (const Json::exception& error) {

@@ -7,19 +7,21 @@
 #include <stdexcept>
 
 #include "percal/base/error.hpp"
+#include "percal/impact/target/size.hpp"
 #include "percal/math/grid_convergence.hpp"
+#include "percal/problem/domain.hpp"
 
 namespace percal {
 namespace {
 
 // Half the step is tried on the second mesh and on the middle one.
-std::vector<int> half_step_meshes(const std::vector<int>& meshes) {
+std::vector<double> half_step_meshes(const std::vector<double>& meshes) {
   const std::size_t middle = std::max<std::size_t>(2, meshes.size() / 2);
   return {meshes[1], meshes[middle]};
 }
 
 struct Setting {
-  int elements_per_radius;
+  double elements_per_radius;
   double time_step_factor;
   Arithmetic arithmetic;
 };
@@ -28,8 +30,8 @@ struct Setting {
 std::vector<Setting> settings_of(const LadderOptions& options) {
   const double step = *options.time_step_factor;
   std::vector<Setting> settings;
-  for (const int mesh : options.meshes) settings.push_back({mesh, step, Arithmetic::single_precision});
-  for (const int mesh : half_step_meshes(options.meshes))
+  for (const double mesh : options.meshes) settings.push_back({mesh, step, Arithmetic::single_precision});
+  for (const double mesh : half_step_meshes(options.meshes))
     settings.push_back({mesh, step / 2, Arithmetic::single_precision});
   settings.push_back({options.meshes[1], step, Arithmetic::double_precision});
   std::ranges::stable_sort(settings, std::ranges::greater{}, &Setting::elements_per_radius);
@@ -55,17 +57,22 @@ Rung rung_of(const Reduction& reduction, const std::vector<Evaluation>& runs) {
   return rung;
 }
 
-const Rung& Ladder::on_mesh(int elements_per_radius) const {
+const Rung& Ladder::on_mesh(double elements_per_radius) const {
   return *std::ranges::find(meshes, elements_per_radius, &Rung::elements_per_radius);
 }
 
-Scene rung_scene(const Scene& scene, int elements_per_radius, double time_step_factor, Arithmetic arithmetic) {
-  Scene rung = scene;
-  if (scene.mesh.graded_columns)
-    rung.mesh.graded_columns =
-        std::max(1, static_cast<int>(std::lround(static_cast<double>(*scene.mesh.graded_columns) * elements_per_radius /
-                                                 scene.mesh.elements_per_radius)));
-  rung.mesh.elements_per_radius = elements_per_radius;
+Scene on_mesh(const Scene& scene, double elements_per_radius) {
+  Scene other = scene;
+  if (scene.mesh.graded_columns && elements_per_radius != scene.mesh.elements_per_radius) {
+    const Problem problem = reduce(scene).problem;
+    other.mesh.graded_columns = graded_columns_like(problem, elements_per_radius, problem.width);
+  }
+  other.mesh.elements_per_radius = elements_per_radius;
+  return other;
+}
+
+Scene rung_scene(const Scene& scene, double elements_per_radius, double time_step_factor, Arithmetic arithmetic) {
+  Scene rung = on_mesh(scene, elements_per_radius);
   rung.solver.time_step_factor = time_step_factor;
   rung.solver.arithmetic = arithmetic;
   rung.output = {};
@@ -78,12 +85,18 @@ LadderOptions checked(LadderOptions options, const Scene& scene) {
   meshes.erase(std::ranges::unique(meshes).begin(), meshes.end());
   if (meshes.size() < fewest_grids || meshes.front() < 1 || meshes.back() > 1000)
     throw BadInput(Place{.file = "", .line = 0, .key = "--meshes"}, fmt::format("{}", fmt::join(meshes, ",")),
-                   fmt::format("{} or more different whole numbers from 1 to 1000", fewest_grids));
+                   fmt::format("{} or more different numbers from 1 to 1000", fewest_grids));
   if (options.replicates < fewest_ladder_replicates)
     throw BadInput(Place{.file = "", .line = 0, .key = "--replicates"}, fmt::format("{}", options.replicates),
                    fmt::format("{} or more", fewest_ladder_replicates));
+  refuse_what_is_too_large(finest_problem(options, scene), scene.source);
   if (!options.time_step_factor) options.time_step_factor = scene.solver.time_step_factor;
   return options;
+}
+
+Problem finest_problem(const LadderOptions& options, const Scene& scene) {
+  const double step = options.time_step_factor.value_or(scene.solver.time_step_factor);
+  return reduce(rung_scene(scene, options.meshes.back(), step, Arithmetic::single_precision)).problem;
 }
 
 long ladder_runs(const LadderOptions& options) {

@@ -11,15 +11,15 @@ namespace percal {
 inline constexpr int fewest_ladder_replicates = 3;  // the spread and the comparisons need them
 
 struct LadderOptions {
-  std::vector<int> meshes{5, 7, 10, 14, 20, 28};  // elements per radius; sorted and made unique by the ladder
-  int replicates = 5;
+  std::vector<double> meshes{5, 7, 10, 14, 20, 28};  // elements per radius; sorted and made unique by the ladder
+  int replicates = usual_replicates;
   std::optional<double> time_step_factor;  // left out: the scene's
   bool operator==(const LadderOptions&) const = default;
 };
 
 // One setting of mesh, time step and arithmetic, with its replicates.
 struct Rung {
-  int elements_per_radius = 0;
+  double elements_per_radius = 0;
   double time_step_factor = 0;
   Arithmetic arithmetic = Arithmetic::single_precision;
   int replicates = 0;
@@ -36,13 +36,20 @@ struct Ladder {
   std::vector<Rung> meshes;      // coarse to fine, single precision
   std::vector<Rung> half_steps;  // half the time step, on two of these meshes
   Rung double_precision;         // on the second mesh
-  const Rung& on_mesh(int elements_per_radius) const;
+  const Rung& on_mesh(double elements_per_radius) const;
 };
 
-// The scene as a rung has it. Graded columns that the scene counts out keep their number per element of the radius.
-Scene rung_scene(const Scene& scene, int elements_per_radius, double time_step_factor, Arithmetic arithmetic);
+// The scene with other elements. Graded columns that the scene counts out grow as they did, in another number.
+Scene on_mesh(const Scene& scene, double elements_per_radius);
 
-// The options sorted, each mesh once, the time step filled in. Throws BadInput: fewer than four meshes or three replicates.
+// The scene as a rung has it.
+Scene rung_scene(const Scene& scene, double elements_per_radius, double time_step_factor, Arithmetic arithmetic);
+
+// Of sorted options: the largest run at the scene's own step.
+Problem finest_problem(const LadderOptions& options, const Scene& scene);
+
+// The options sorted, each mesh once, the time step filled in. Throws BadInput: fewer than four meshes or three replicates, a mesh
+// that is too large to be run.
 LadderOptions checked(LadderOptions options, const Scene& scene);
 
 // How many runs the ladder makes, for a progress bar.

@@ -7,10 +7,13 @@
 #include <functional>
 
 #include "percal/base/error.hpp"
-#include "percal/mesh/graded.hpp"
+#include "percal/impact/target/size.hpp"
+#include "percal/problem/domain.hpp"
 #include "percal/problem/particle.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/scene/width.hpp"
+#include "percal/study/ladder.hpp"
 
 namespace percal {
 namespace {
@@ -36,7 +39,7 @@ class Planner {
     variant.output = {};
     change(variant);
     try {
-      parse_scene(scene_to_toml(variant, ""), scene_.source);
+      refuse_what_is_too_large(reduce(parse_scene(scene_to_toml(variant, ""), scene_.source)).problem, scene_.source);
     } catch (const BadInput& error) {
       return skip(name, error.what());
     }
@@ -59,10 +62,11 @@ class Planner {
       add("bottom fixed", "the layer's lower face does not move", [](Scene& s) { s.target.bottom = Bottom::fixed; });
     else
       add("bottom free", "the layer's lower face is free", [](Scene& s) { s.target.bottom = Bottom::free; });
-    const int columns = columns_to(wider * baseline_.problem.width);
+    const Problem& p = baseline_.problem;
+    const int columns = graded_columns_like(p, p.elements_per_radius, wider * p.width);
     add("width x 2", fmt::format("the wall twice as far away, {} graded columns that grow as before", columns),
         [columns](Scene& s) {
-          s.target.width *= wider;
+          s.target.width = wider * width_of(s);
           s.mesh.graded_columns = columns;
         });
     add("thickness x 1.5",
@@ -225,14 +229,10 @@ class Planner {
 
   void resolution() {
     about(OmissionKind::numerics);
-    const int mesh = scene_.mesh.elements_per_radius;
-    const int fine = std::max(mesh + 1, static_cast<int>(std::lround(finer * mesh)));
-    add(fmt::format("{} elements per radius", fine), fmt::format("for {}", mesh), [fine, mesh](Scene& s) {
-      if (s.mesh.graded_columns)
-        s.mesh.graded_columns =
-            static_cast<int>(std::lround(static_cast<double>(*s.mesh.graded_columns) * fine / mesh));
-      s.mesh.elements_per_radius = fine;
-    });
+    const double mesh = scene_.mesh.elements_per_radius;
+    const double fine = std::max(mesh + 1, std::round(finer * mesh));
+    add(fmt::format("{:g} elements per radius", fine), fmt::format("for {:g}", mesh),
+        [fine](Scene& s) { s = on_mesh(s, fine); });
     add("half the time step", fmt::format("factor {:.3g}", scene_.solver.time_step_factor / 2),
         [](Scene& s) { s.solver.time_step_factor /= 2; });
     const bool two = scene_.solver.rates == 2;
@@ -252,26 +252,6 @@ class Planner {
     return depth;
   }
   static double& lowest_depth(Scene& s) { return s.below.empty() ? s.target.depth : s.below.back().depth; }
-
-  // Graded columns, each wider than the last by the factor that they have now, up to a wall at `width` radii.
-  int columns_to(double width) const {
-    const Problem& p = baseline_.problem;
-    const GradedMesh mesh = graded_mesh({.elements_per_radius = p.elements_per_radius,
-                                         .fine_width = p.fine_width,
-                                         .graded_columns = p.graded_columns,
-                                         .width = p.width,
-                                         .depth = 1});
-    const auto& x = mesh.radius;
-    const std::size_t last = x.size() - 1;
-    const double growth = last < 2 ? 1 : std::max(1.0, (x[last] - x[last - 1]) / (x[last - 1] - x[last - 2]));
-    int columns = x.back() > p.fine_width * (1 + 1e-9) ? p.graded_columns : 0;
-    double column = x[last] - x[last - 1], wall = x[last];
-    while (wall + 0.5 * growth * column < width) {
-      wall += column *= growth;
-      ++columns;
-    }
-    return std::max(1, columns);
-  }
 
   const Scene& scene_;
   const Reduction& baseline_;

@@ -41,7 +41,7 @@ struct Omissions {
   std::vector<std::string> conclusions;
 };
 
-inline constexpr int audit_replicates = 5;
+inline constexpr int audit_replicates = usual_replicates;
 
 // The standard error of a change is that of the difference of two means, at least what the spread of a run pooled over all
 // scenes makes it.

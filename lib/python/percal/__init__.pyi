@@ -121,7 +121,7 @@ class Impact:
 
 def impact(
     scene: Scene | Mapping[str, Any] | _Path,
-    elements_per_radius: int | None = None,
+    elements_per_radius: float | None = None,
     replicates: int | None = None,
     threads: int = 0,
     store: _Path | None = None,

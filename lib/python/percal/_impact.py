@@ -76,7 +76,7 @@ class Impact:
 
     outcome: stopped, passed through, time up or unstable; depth: mean of the runs, None unless all stopped; spread: sample standard
     deviation of a run; standard_error: of the mean; at_least: a layer's depth that a run passed through; depths: of each run;
-    energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N", "energy_..."} of the first run, in
+    energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N", "energy_..."} of the middle run, in
     plane strain with "force_N_per_m"; left_out, warnings: lists of sentences; result: percal impact's result.json, as a dict.
     """
 
@@ -115,7 +115,7 @@ def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=No
     """Runs the impacts of a scene (or of the file of one).
 
     elements_per_radius, replicates: instead of the scene's; threads: 0 for one on each core; store: file in which finished runs are
-    kept and found again (percal.default_store_path() is the program's), None for no store; history: of the first run. A
+    kept and found again (percal.default_store_path() is the program's), None for no store; history: of the middle run. A
     run whose history is wanted is never taken from the store.
     """
     if not isinstance(scene, Scene):

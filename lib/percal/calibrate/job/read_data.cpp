@@ -33,7 +33,6 @@ int group_index(const TomlTable& block, const std::string& fallback, Calibration
 
 const Range length = positive("length"), density = positive("density"), speed = positive("speed");
 const std::vector<std::string> use_words{"fit", "predict"};
-const double default_width = 5;  // radii
 
 // The conditions of a key, row by row; all rows where the block has none.
 std::vector<bool> rows_meeting(const TomlTable& block, const std::string& key, const CsvTable& table) {
@@ -168,25 +167,26 @@ std::vector<MeasuredShot> shots_of_points(const TomlTable& block) {
 }
 
 // In radii of each sphere, or one length for all.
-double layer_size(const TomlTable& block, const std::string& key, double radius, std::optional<double> fallback) {
+std::optional<double> layer_size(const TomlTable& block, const std::string& key, double radius) {
   const std::string in_radii = key + "_radii";
   const Range above_one{.low = 1, .high = 1e6, .low_open = true, .words = "more than one radius"};
   if (block.has(key) && block.has(in_radii)) block.refuse(in_radii, "this beside " + key, "one of the two");
   if (block.has(in_radii)) return block.number(in_radii, above_one) * radius;
   const auto size = block.optional_quantity(key, dimension::length, length);
-  if (!size && !fallback) {
-    block.knows(in_radii);
-    block.refuse(key, "no such key", fmt::format("the layer's size, or {} in radii of the sphere", in_radii));
-  }
   if (size && *size <= radius)
     block.refuse(key, format_quantity(*size, dimension::length),
                  "more than the sphere's radius, " + format_quantity(radius, dimension::length));
-  return size ? *size : *fallback * radius;
+  return size;
 }
 
 void read_layer(const TomlTable& block, MeasuredShot& shot) {
-  shot.layer_depth = layer_size(block, "layer_depth", shot.radius, {});
-  shot.layer_width = layer_size(block, "layer_width", shot.radius, default_width);
+  const auto depth = layer_size(block, "layer_depth", shot.radius);
+  if (!depth) {
+    block.knows("layer_depth_radii");
+    block.refuse("layer_depth", "no such key", "the layer's size, or layer_depth_radii in radii of the sphere");
+  }
+  shot.layer_depth = *depth;
+  shot.layer_width = layer_size(block, "layer_width", shot.radius).value_or(0);  // settle_width
   if (shot.depth > shot.layer_depth)
     block.refuse(block.has("layer_depth_radii") ? "layer_depth_radii" : "layer_depth",
                  fmt::format("{}, but the shot {} went {} deep", format_quantity(shot.layer_depth, dimension::length),
@@ -196,9 +196,9 @@ void read_layer(const TomlTable& block, MeasuredShot& shot) {
 
 // The emulator has the layer's depth among its inputs, not its width.
 void check_width(const TomlTable& block, const CalibrationJob& job, const MeasuredShot& shot) {
-  if (job.shots.empty()) return;
-  const MeasuredShot& first = job.shots.front();
-  const double width = shot.layer_width / shot.radius, expected = first.layer_width / first.radius;
+  const auto first = std::ranges::find_if(job.shots, [](const MeasuredShot& other) { return other.layer_width > 0; });
+  if (shot.layer_width == 0 || first == job.shots.end()) return;
+  const double width = shot.layer_width / shot.radius, expected = first->layer_width / first->radius;
   constexpr double rounding = 1e-9;
   if (std::abs(width / expected - 1) > rounding)
     block.refuse(block.has("layer_width") ? "layer_width" : "layer_width_radii", fmt::format("{:.6g} radii", width),

@@ -41,7 +41,7 @@ std::optional<double> percentage(std::string text) {
   return std::nullopt;
 }
 
-constexpr int most_elements_per_radius = 1000, most_runs = 1000000;
+constexpr int most_runs = 1000000;
 constexpr int least_initial_runs = 2 * sphere_inputs;  // fewer make no emulator
 const Range share{.low = 0, .high = 1, .words = "a share from 0 to 1, as 0.15 or \"15 %\""};
 const Range some_share{
@@ -182,9 +182,9 @@ void read_training(const TomlTable& root, CalibrationJob& job) {
   const auto block = root.optional_table("training");
   if (!block) return;
   TrainingSettings& t = job.training;
-  t.coarse = block->integer("coarse", 1, most_elements_per_radius, t.coarse);
-  t.fine = block->integer("fine", 1, most_elements_per_radius, t.fine);
-  t.verify = block->integer("verify", 1, most_elements_per_radius, t.verify);
+  t.coarse = block->number("coarse", elements_per_radius_range(), t.coarse);
+  t.fine = block->number("fine", elements_per_radius_range(), t.fine);
+  t.verify = block->number("verify", elements_per_radius_range(), t.verify);
   if (t.fine < t.coarse) block->refuse("fine", "a mesh coarser than coarse", "as many elements per radius or more");
   if (t.verify < t.fine) block->refuse("verify", "a mesh coarser than fine", "as many elements per radius or more");
   t.initial = block->integer("initial", least_initial_runs, most_runs, t.initial);
@@ -234,6 +234,7 @@ CalibrationJob read_calibration_job(const std::string& path) {
   read_published(root, job);
   root.finish();
   check_use(root, job);
+  settle_width(job);
   return job;
 }
 

@@ -13,6 +13,10 @@ void read_scatter_groups(const TomlTable& root, CalibrationJob& job);
 void read_shots(const TomlTable& root, CalibrationJob& job);
 void read_job_curves(const TomlTable& root, CalibrationJob& job);
 
+// layer_width.cpp
+// One width in radii for all shots: what some of them give, or what the widest of them needs.
+void settle_width(CalibrationJob& job);
+
 // read_hypotheses.cpp
 void read_hypotheses(const TomlTable& root, CalibrationJob& job);
 void read_cross_validations(const TomlTable& root, CalibrationJob& job);

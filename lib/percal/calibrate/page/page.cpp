@@ -116,6 +116,7 @@ page::Json calibration_to_json(const CalibrationJob& job, const CalibrationResul
                 {{"parameters", searched_to_json(job)},
                  {"shots", measured_shots_to_json(job)},
                  {"curves", measured_curves_to_json(job)},
+                 {"width_was_chosen", job.width_was_chosen},
                  {"ridge_points", published_to_json(job)}}},
                {"hypotheses", hypotheses},
                {"cards", cards},

@@ -258,9 +258,7 @@ Json scaled_line_to_json(const IdentifyJob& job, const Identification& found) {
 Json left_out_to_json(const IdentifyJob& job, const Identification& found) {
   Json all = Json::array();
   if (!found.complete()) return all;
-  const TargetMaterial target{job.tissue.density, found.tissue.mu, found.alpha, found.tissue.erosion->strain};
-  const Scene scene = impact_scene(job, job.calibration, target, job.volumetric, job.ridge.elements_per_radius);
-  for (const LeftOut& omission : reduce(scene).left_out)
+  for (const LeftOut& omission : reduce(identified_scene(job, found)).left_out)
     all.push_back({{"what", omission.what}, {"why", omission.why}});
   return all;
 }
@@ -306,6 +304,10 @@ Json identification_to_json(const IdentifyJob& job, const Identification& found,
   json.update(
       {{"title", job.title},
        {"complete", found.complete()},
+       {"layer",
+        {{"depth_over_radius", job.layer.depth},
+         {"width_over_radius", job.layer.width},
+         {"width_was_chosen", job.layer.width_was_chosen}}},
        {"calibration", calibration_to_json(job)},
        {"model", model_to_json(job, found)},
        {"gelatin_law", {{"k_Pa", law.factor}, {"n", law.exponent}, {"k_standard_error_Pa", finite(law.factor_error)}}},

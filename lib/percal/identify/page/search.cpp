@@ -170,9 +170,9 @@ Section mesh_section(const Json& result) {
   Section section{.id = "mesh", .title = "What the mesh is worth", .blocks = {}};
   const Json& study = list(result, "mesh_study");
   if (study.empty()) return section;
-  std::map<int, double> seconds;
+  std::map<double, double> seconds;
   for (const Json& one : list(at(result, "cost"), "mesh_study"))
-    seconds[static_cast<int>(number_or(one, "elements_per_radius", 0))] = number_or(one, "cpu_s", nowhere);
+    seconds[number_or(one, "elements_per_radius", 0)] = number_or(one, "cpu_s", nowhere);
   const double measured = number_or(at(result, "calibration"), "penetration_m", nowhere);
   const double finest = number_or(study.back(), "depth_m", nowhere);
   const ShownUnit unit = length_unit(finest);
@@ -186,7 +186,7 @@ Section mesh_section(const Json& result) {
     add_point(line, n, depth / unit.size);
     const double error = 100 * (depth / finest - 1), noise = 100 * spread / finest;
     if (std::isfinite(error)) largest_error = std::max(largest_error, std::abs(error));
-    if (const auto cost = seconds.find(static_cast<int>(n)); cost != seconds.end() && cost->second > 0)
+    if (const auto cost = seconds.find(n); cost != seconds.end() && cost->second > 0)
       add_bar(errors, cost->second, error, error - noise, error + noise);
   }
   if (!depths.x.empty())

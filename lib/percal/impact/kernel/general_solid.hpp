@@ -42,8 +42,7 @@ PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& 
     c.hourglass = Real(0.25 * m.hourglass * impedance * length * shape.thickness);
     c.hourglass_inverse_step = Real(2 * m.hourglass * impedance / (m.density * length));
   }
-  if (erosion != ErosionKind::stretch)
-    c.erosion_limit = Real(m.erosion_limit < no_erosion ? m.erosion_limit : largest_number);
+  if (erosion != ErosionKind::stretch) c.erosion_limit = bounded_limit<Real>(m.erosion_limit);
   return c;
 }
 
@@ -63,6 +62,8 @@ class GeneralSolid {
         v_r_(fields.v_r),
         v_z_(fields.v_z),
         previous_step_(Real(previous_step)),
+        averaged_limit_(view.erosion_kind == ErosionKind::averaged_energy ? averaged_limit(fields, column)
+                                                                          : AveragedLimit<Real>{}),
         relaxing_stress_(view.relaxation, column, inner_, view.time) {}
 
   PERCAL_INLINE const Constants& at(int j) {
@@ -118,11 +119,18 @@ class GeneralSolid {
     switch (view_.erosion_kind) {
       case ErosionKind::stress: return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
       case ErosionKind::energy:
+      case ErosionKind::averaged_energy:
         return isochoric_energy(g, constants_.energy_scale) +
                volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
       case ErosionKind::stretch: break;
     }
     return larger(s.first2, F.hoop * F.hoop);
+  }
+
+  PERCAL_INLINE auto at_limit(int j, V state, V now, V change, bool again, ColumnReport& report) const {
+    if (view_.erosion_kind != ErosionKind::averaged_energy)
+      return beyond_own_limit(now, change, constants_.erosion_limit);
+    return averaged_limit_.condemned_ones(j, state, now, change, constants_.erosion_limit, again, report);
   }
 
   template <class Mask>
@@ -167,6 +175,7 @@ class GeneralSolid {
   const long inner_, outer_;
   const Real *v_r_, *v_z_;
   const Real previous_step_;
+  const AveragedLimit<Real> averaged_limit_;  // used where an average is taken
   RelaxingStress<Real> relaxing_stress_;
   Constants constants_;
   int valid_below_ = -1;

@@ -14,7 +14,7 @@ PERCAL_INLINE V first_lane(RealOf<V> x) {
 }
 
 // Corners: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner lower (i, j+1). What the solid
-// is made of answers through `solid`: UniformSolid or GeneralSolid.
+// is made of answers through `solid`: UniformSolid, AveragedSolid or GeneralSolid.
 template <class Real, class Solid>
 PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces,
                                     int column, Rows rows, const ColumnShape& shape, double previous_step,
@@ -48,7 +48,8 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
   V work = zero, steepest = zero, tightest = broadcast<V>(Real(1e30));
 
   for (int j = rows.begin; j < rows.end; j += lanes) {
-    auto live = load<V>(alive + j) > Real(0);
+    const V state = load<V>(alive + j);
+    auto live = state > Real(0);
     if (!any(live)) {
       const V last_r0 = first_lane<V>(lower_r0[lanes - 1]), last_z0 = first_lane<V>(lower_z0[lanes - 1]);
       store(fr0 + j, first ? last_r0 : load<V>(fr0 + j) + last_r0);
@@ -88,13 +89,12 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
     const V inverse_step = solid.inverse_step(bound, damping * s.jacobian * bound.over_stretch);
 
     // Erode. What decides is judged half a step ahead, so that on average an element goes neither early nor late.
-    const V now = solid.erosion_measure(F, s, g, P, q);
-    const V ahead = now + Real(0.5) * (now - load<V>(measure + j));
+    const V now = solid.erosion_measure(F, s, g, P, q), change = now - load<V>(measure + j);
     store(measure + j, now);
-    const auto gone = live & ((ahead > material.erosion_limit) | (s.unbounded_jacobian < material.smallest_jacobian) |
+    const auto at_limit = solid.at_limit(j, state, now, change, again, report);
+    const auto gone = live & (at_limit | (s.unbounded_jacobian < material.smallest_jacobian) |
                               (inverse_step > material.largest_inverse_step));
     if (__builtin_expect(any(gone), 0)) {
-      const auto at_limit = ahead > material.erosion_limit;
       for (int l = 0; l < lanes; ++l)
         if (gone[l]) {
           alive[j + l] = at_limit[l] ? Real(-1) : Real(-2);
@@ -153,6 +153,14 @@ void internal_forces(const FieldsView<Real>& fields, const ColumnForces<Real>& f
                      const ColumnShape& shape, const MaterialConstants& material, double previous_step,
                      const StiffnessWatch& watch, ColumnReport& report) {
   UniformSolid<Real> solid(material, shape);
+  forces_of_column(solid, fields, forces, column, rows, shape, previous_step, watch, report);
+}
+
+template <class Real>
+void internal_forces_averaged(const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column, Rows rows,
+                              const ColumnShape& shape, const MaterialConstants& material, double previous_step,
+                              const StiffnessWatch& watch, ColumnReport& report) {
+  AveragedSolid<Real> solid(material, shape, fields, column);
   forces_of_column(solid, fields, forces, column, rows, shape, previous_step, watch, report);
 }
 

@@ -17,10 +17,15 @@ struct FieldsView {
   Real* jacobian;           // J of an element at its last step
   Real* viscous_pressure;   // q of an element at its last step
   Real* erosion_measure;    // what erosion is judged by, at its last step
+  Real* foreseen_measure;   // the same one and a half steps on; null where no average is taken (averaged_energy)
   Real* alive;  // 1; 0 for an eroded element and beyond the last row; to be taken out after this step: -1 for
-                // having reached the limit of erosion, -2 for being distorted
+                // having reached the limit of erosion, -2 for being distorted; `candidate`, `condemned`
   int stride;
 };
+
+// `alive` of elements that bear load and are judged by an average: one that a look has found beyond its own limit, until it is
+// judged; one that the average lets go, until the next look (impact/target/averaged_erosion.hpp).
+inline constexpr double candidate = 0.75, condemned = 0.5;
 
 // Forces on the nodes of one block, in the same order.
 template <class Real>
@@ -62,7 +67,7 @@ enum class PressureLaw {
   logarithmic
 };  // VolumetricLaw of scene/scene.hpp, which brings too much here
 enum class HourglassKind { stiffness, viscosity };
-enum class ErosionKind { stretch, stress, energy };
+enum class ErosionKind { stretch, stress, energy, averaged_energy };
 
 struct SolidLayer {
   int begin, end;  // rows of elements
@@ -126,6 +131,7 @@ struct ColumnReport {
   double largest_inverse_step = 0;  // 1/dt of the stable step, over live elements
   double smallest_jacobian = 1e30;  // over live elements
   int doomed = 0;                   // elements marked with alive below 0
+  Rows candidates{1 << 30, 0};      // the first and behind the last group that has elements marked as such
 };
 
 // A watch for elements that are too stiff for the step they take: flags[row / lanes] is set for those above inverse_step.
@@ -148,12 +154,22 @@ struct ContactNodes {
   Rows rows;
 };
 
+// Over elements of an average.
+struct WeightedSum {
+  double share = 0;  // of weight x measure over limit
+  double weight = 0;
+};
+
 template <class Real>
 struct Kernel {
   // Sets the corner forces of column i's elements in these rows; marks the elements that are to be taken out, which give none.
   // previous_step led to these displacements; 0 in the first step, and where the same displacements are looked at again.
   void (*internal_forces)(const FieldsView<Real>&, const ColumnForces<Real>&, int column, Rows, const ColumnShape&,
                           const MaterialConstants&, double previous_step, const StiffnessWatch&, ColumnReport&);
+  // The same of the plain solid whose erosion is judged by an average of the energy.
+  void (*internal_forces_averaged)(const FieldsView<Real>&, const ColumnForces<Real>&, int column, Rows,
+                                   const ColumnShape&, const MaterialConstants&, double previous_step,
+                                   const StiffnessWatch&, ColumnReport&);
   // The same of a target that is more than one layer of the plain solid.
   void (*internal_forces_general)(const FieldsView<Real>&, const ColumnForces<Real>&, int column, Rows,
                                   const ColumnShape&, const GeneralSolidView<Real>&, double previous_step,
@@ -167,6 +183,10 @@ struct Kernel {
   // v += kick f/m, u += drift v for the nodes of column i. Where `held` the column moves along z only.
   void (*kick_and_drift)(const FieldsView<Real>&, const NodeForces<Real>&, int column, Rows, bool held, double kick,
                          double drift);
+  // Over `count` elements of a column that live and have a limit, per_limit > 0. Weights must be 0 from `count` on, or elements dead;
+  // one group of lanes behind all arrays is read.
+  WeightedSum (*weighted_sum)(const Real* alive, const Real* measure, const Real* per_limit, const Real* weights,
+                              int count);
   int lanes;  // rows are handled in groups of this many; arrays are padded accordingly
 };
 

@@ -35,6 +35,11 @@ PERCAL_INLINE double hourglass_stiffness(const MaterialConstants& m, const Colum
   return m.hourglass * m.mu / 12 * (shape.height / shape.width + shape.width / shape.height) * shape.thickness;
 }
 
+template <class Real>
+PERCAL_INLINE Real bounded_limit(double limit) {
+  return Real(limit < no_erosion ? limit : largest_number);
+}
+
 // With the hourglass spring and erosion by stretch.
 template <class Real>
 PERCAL_INLINE SolidConstants<Real> solid_constants(const MaterialConstants& m, const ColumnShape& shape) {
@@ -46,7 +51,7 @@ PERCAL_INLINE SolidConstants<Real> solid_constants(const MaterialConstants& m, c
       .hourglass = Real(hourglass_stiffness(m, shape)),
       .linear_viscosity = Real(m.linear_viscosity),
       .quadratic_viscosity = Real(m.quadratic_viscosity),
-      .erosion_limit = Real(m.erosion_stretch < no_erosion ? m.erosion_stretch * m.erosion_stretch : largest_number),
+      .erosion_limit = bounded_limit<Real>(m.erosion_stretch * m.erosion_stretch),
       .smallest_jacobian = Real(m.smallest_jacobian),
       .largest_inverse_step = Real(m.largest_inverse_step < largest_number ? m.largest_inverse_step : largest_number)};
 }
@@ -56,6 +61,41 @@ template <class Real>
 struct InverseSides {
   Real width2, height2, hoop2;
 };
+
+// The limit of the element itself: it goes where the measure exceeds that half a step ahead. docs/theory/impact.md (21).
+template <class V, class C>
+PERCAL_INLINE auto beyond_own_limit(V now, V change, C limit) {
+  return now + RealOf<V>(0.5) * change > limit;
+}
+
+// The limit of an average: elements beyond it are marked as candidates, with what they will have come to at the next look and half
+// a step, and those go that have been condemned since the last one. docs/theory/impact.md (23).
+template <class Real>
+struct AveragedLimit {
+  Real *foreseen_measure, *alive;  // of the column
+
+  template <class V, class C>
+  PERCAL_INLINE auto condemned_ones(int j, V state, V now, V change, C limit, bool again, ColumnReport& report) const {
+    const auto live = state > Real(0);
+    if (again) return live & ~live;  // a second look at one moment decides nothing
+    const V foreseen = now + Real(1.5) * change;
+    store(foreseen_measure + j, foreseen);
+    const auto gone = live & (state < Real(candidate)), beyond = live & ~gone & (foreseen > limit);
+    if (__builtin_expect(any(beyond), 0)) {
+      for (int l = 0; l < Lane<V>::count; ++l)
+        if (beyond[l]) alive[j + l] = Real(candidate);
+      if (report.candidates.empty()) report.candidates.begin = j;
+      report.candidates.end = j + Lane<V>::count;
+    }
+    return gone;
+  }
+};
+
+template <class Real>
+PERCAL_INLINE AveragedLimit<Real> averaged_limit(const FieldsView<Real>& fields, int column) {
+  const long first = static_cast<long>(column) * fields.stride;
+  return {fields.foreseen_measure + first, fields.alive + first};
+}
 
 // In r and z.
 template <class V>
@@ -95,13 +135,45 @@ class UniformSolid {
                                   const Piola<V>&, V) const {
     return larger(s.first2, F.hoop * F.hoop);
   }
+  // Those that go for having reached the limit, of a measure that is `now` and has grown by `change` since the last look; at
+  // one that looks again at what has not moved, both are as they were.
+  PERCAL_INLINE auto at_limit(int, V, V now, V change, bool, ColumnReport&) const {
+    return beyond_own_limit(now, change, constants_.erosion_limit);
+  }
   // The group is done: `live` elements go on, `gone` ones were taken out by this look.
   template <class Mask>
   PERCAL_INLINE void close_group(int, Mask, Mask) const {}
   void report(double, ColumnReport&) const {}
 
- private:
+ protected:
   SolidConstants<Real> constants_;
+};
+
+// The plain solid with erosion judged by an average of the energy: the measure is W of docs/theory/impact.md (2).
+template <class Real>
+class AveragedSolid : public UniformSolid<Real> {
+ public:
+  using V = typename UniformSolid<Real>::V;
+
+  AveragedSolid(const MaterialConstants& material, const ColumnShape& shape, const FieldsView<Real>& fields, int column)
+      : UniformSolid<Real>(material, shape),
+        energy_scale_(Real(2 * material.mu / (material.alpha * material.alpha))),
+        limit_(averaged_limit(fields, column)) {
+    this->constants_.erosion_limit = bounded_limit<Real>(material.erosion_limit);
+  }
+
+  PERCAL_INLINE V erosion_measure(const Gradient<V>&, const Stretches<V>& s, const IsochoricPowers<V>& g,
+                                  const Piola<V>&, V) const {
+    return isochoric_energy(g, energy_scale_) +
+           volumetric_energy(PressureLaw::log_quadratic, s.jacobian, this->constants_.bulk);
+  }
+  PERCAL_INLINE auto at_limit(int j, V state, V now, V change, bool again, ColumnReport& report) const {
+    return limit_.condemned_ones(j, state, now, change, this->constants_.erosion_limit, again, report);
+  }
+
+ private:
+  const Real energy_scale_;
+  const AveragedLimit<Real> limit_;
 };
 
 }  // namespace percal::PERCAL_LEVEL

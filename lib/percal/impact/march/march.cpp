@@ -26,7 +26,7 @@ class March {
         limits_(step_limits(problem)),
         block_(problem, mesh_of(problem), kernel_.lanes),
         solid_(problem, block_.layers()),
-        sweep_(block_, kernel_, solid_, threads),
+        sweep_(problem, block_, kernel_, solid_, threads),
         particle_(problem),
         zone_(block_, kernel_, particle_),
         recorder_(problem.history_samples),

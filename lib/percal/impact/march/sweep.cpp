@@ -15,6 +15,12 @@ Part part_of(int count, int worker, int workers) {
 }
 
 template <class Real>
+auto plain_forces_of(const Kernel<Real>& kernel, const TargetSolid& solid) -> decltype(kernel.internal_forces) {
+  if (!solid.is_plain()) return nullptr;
+  return solid.erosion_kind == ErosionKind::averaged_energy ? kernel.internal_forces_averaged : kernel.internal_forces;
+}
+
+template <class Real>
 void clear(Real* forces, Rows rows) {
   std::fill(forces + rows.begin, forces + rows.end, Real(0));
 }
@@ -22,13 +28,15 @@ void clear(Real* forces, Rows rows) {
 }  // namespace
 
 template <class Real>
-Sweep<Real>::Sweep(Block<Real>& block, const Kernel<Real>& kernel, const TargetSolid& solid, int threads)
+Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real>& kernel, const TargetSolid& solid,
+                   int threads)
     : block_(block),
       kernel_(kernel),
       solid_(solid),
-      is_plain_(solid_.is_plain()),
+      plain_forces_(plain_forces_of(kernel, solid_)),
       general_(solid_.view(block)),
       holds_axis_(block.mesh().radius.front() == 0),
+      averaged_(problem, block, solid_),
       team_(std::clamp(threads, 1, block.mesh().columns())),
       far_seams_(team_.workers()),
       near_seams_(team_.workers()),
@@ -60,6 +68,8 @@ SweepReport Sweep<Real>::all(const NearCells& near, int rows, double last_far_st
     take_in(far_reports_[i], sum.far_inverse_step, sum);
     if (!near.empty()) take_in(near_reports_[i], sum.near_inverse_step, sum);
     if (far_reports_[i].doomed + (near.empty() ? 0 : near_reports_[i].doomed) > 0) sum.doomed_columns.push_back(i);
+    averaged_.judge(block_, i, far_reports_[i].candidates);
+    if (!near.empty()) averaged_.judge(block_, i, near_reports_[i].candidates);
   }
   return sum;
 }
@@ -77,6 +87,7 @@ SweepReport Sweep<Real>::near_only(const NearCells& near, double last_step) {
   for (int i = 0; i < columns; ++i) {
     take_in(near_reports_[i], sum.near_inverse_step, sum);
     if (near_reports_[i].doomed > 0) sum.doomed_columns.push_back(i);
+    averaged_.judge(block_, i, near_reports_[i].candidates);
   }
   return sum;
 }
@@ -96,9 +107,8 @@ void Sweep<Real>::take(const ColumnForces<Real>& forces, int column, Rows rows, 
   unsigned char* flags = stiff_.data() + static_cast<long>(column) * (block_.view().stride / kernel_.lanes + 1);
   const ColumnShape& shape = block_.shapes()[column];
   const StiffnessWatch watch{watched_, flags};
-  if (is_plain_)
-    kernel_.internal_forces(block_.view(), forces, column, rows, shape, solid_.layers.front().material, last_step,
-                            watch, report);
+  if (plain_forces_)
+    plain_forces_(block_.view(), forces, column, rows, shape, solid_.layers.front().material, last_step, watch, report);
   else
     kernel_.internal_forces_general(block_.view(), forces, column, rows, shape, general_, last_step, watch, report);
 }

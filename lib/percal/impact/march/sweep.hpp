@@ -6,6 +6,7 @@
 
 #include "percal/impact/march/near_cells.hpp"
 #include "percal/impact/march/team.hpp"
+#include "percal/impact/target/averaged_erosion.hpp"
 #include "percal/impact/target/block.hpp"
 #include "percal/impact/target/constants.hpp"
 
@@ -15,13 +16,13 @@ struct SweepReport {
   double viscous_work = 0, relaxing_work = 0;
   double far_inverse_step = 0, near_inverse_step = 0;  // largest 1/dt of the stable step
   double smallest_jacobian = 1e30;
-  std::vector<int> doomed_columns;  // that have elements with alive = -1; ascending
+  std::vector<int> doomed_columns;  // that have elements with alive below 0; ascending
 };
 
 template <class Real>
 class Sweep {
  public:
-  Sweep(Block<Real>& block, const Kernel<Real>& kernel, const TargetSolid& solid, int threads);
+  Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real>& kernel, const TargetSolid& solid, int threads);
 
   // The time of the displacements, for what follows. Only what relaxes looks at it.
   void set_time(double time) { general_.time = time; }
@@ -64,9 +65,10 @@ class Sweep {
   Block<Real>& block_;
   const Kernel<Real>& kernel_;
   const TargetSolid solid_;
-  const bool is_plain_;
-  GeneralSolidView<Real> general_;  // of solid_; used where it is not plain
-  const bool holds_axis_;           // the first column of nodes stands on an axis or a plane of symmetry
+  const decltype(Kernel<Real>::internal_forces) plain_forces_;  // null where solid_ is not plain
+  GeneralSolidView<Real> general_;                              // of solid_; used where it is not plain
+  const bool holds_axis_;  // the first column of nodes stands on an axis or a plane of symmetry
+  const AveragedErosion<Real> averaged_;
   Team team_;
   std::vector<Seam> far_seams_, near_seams_;  // of threads 1, 2, ...
   std::vector<ColumnReport> far_reports_, near_reports_;

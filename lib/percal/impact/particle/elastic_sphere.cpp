@@ -24,7 +24,7 @@ double volume_of_revolution(const Disc& disc) {
 
 // Its lowest point is at the origin.
 Disc sphere_mesh(const Problem& problem) {
-  Disc disc = half_disc(std::max(problem.elements_per_radius, fewest_particle_elements));
+  Disc disc = half_disc(elements_on_particle_radius(problem));
   for (Point& node : disc.mesh.nodes) node[1] += 1;
   return disc;
 }
@@ -46,6 +46,10 @@ BodySolid solid_of(const Problem& problem, const Disc& disc) {
 }
 
 }  // namespace
+
+int elements_on_particle_radius(const Problem& problem) {
+  return std::max(static_cast<int>(std::lround(problem.elements_per_radius)), fewest_particle_elements);
+}
 
 ElasticSphereRun::ElasticSphereRun(const Problem& problem) : ElasticSphereRun(problem, sphere_mesh(problem)) {}
 

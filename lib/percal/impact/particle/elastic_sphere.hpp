@@ -18,6 +18,9 @@ struct OutlineTouch {
   std::array<Point, 4> by{};
 };
 
+// Of a meshed or drawn sphere: as fine as the target's, to the nearest whole number, or finer.
+int elements_on_particle_radius(const Problem& problem);
+
 // What SphereRun does, of a sphere with waves in it. Positions of the target have z downwards, those of the body y upwards:
 // y = -z, and only this class changes from one to the other. Both are a radian's share.
 class ElasticSphereRun {

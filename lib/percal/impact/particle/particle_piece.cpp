@@ -37,7 +37,7 @@ Polygon right_half(const Polygon& polygon) {
 }  // namespace
 
 ParticlePiece SphereRun::piece(const Problem& problem) const {
-  const int elements = std::max(problem.elements_per_radius, fewest_particle_elements);
+  const int elements = elements_on_particle_radius(problem);
   const Disc round = whole_ ? disc(elements) : half_disc(elements);
   ParticlePiece piece;
   for (const Point& node : round.mesh.nodes) piece.position.push_back({node[0], node[1] - centre()});

@@ -29,7 +29,19 @@ std::vector<LayerRows> layers_of(const Problem& problem, const GradedMesh& mesh)
   return layers;
 }
 
+int relaxing_terms_of(const Problem& problem) {
+  const auto* series = std::get_if<PronySeries>(&problem.relaxation);
+  return series ? std::min(static_cast<int>(series->terms.size()), most_relaxing_terms) : 0;
+}
+
 }  // namespace
+
+int fields_per_element(const Problem& problem) {
+  const int terms = relaxing_terms_of(problem);
+  const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
+  return 12 + (averaged ? 1 : 0) + (problem.rates == 2 ? 2 : 0) + (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) +
+         (terms > 0 ? 4 * (terms + 2) : 0);
+}
 
 template <class Real>
 void Block<Real>::Free::operator()(void* memory) const {
@@ -63,9 +75,8 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
   const std::size_t bytes = (entries_ + line) / line * line * sizeof(Real);
   const bool with_near_forces = problem.rates == 2;
   const bool viscous_hourglass = problem.hourglass_form == HourglassForm::viscosity;
-  const auto* series = std::get_if<PronySeries>(&problem.relaxation);
-  const int terms = series ? std::min(static_cast<int>(series->terms.size()), most_relaxing_terms) : 0;
-  const int fields = 12 + (with_near_forces ? 2 : 0) + (viscous_hourglass ? 2 : 0) + (terms > 0 ? 4 * (terms + 2) : 0);
+  const int terms = relaxing_terms_of(problem);
+  const int fields = fields_per_element(problem);
   bytes_ = bytes * fields + entries_;
   memory_.reset(std::aligned_alloc(64, bytes * fields));
   if (!memory_) throw std::bad_alloc();
@@ -81,6 +92,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            .jacobian = field(),
            .viscous_pressure = field(),
            .erosion_measure = field(),
+           .foreseen_measure = averaged ? field() : nullptr,
            .alive = field(),
            .stride = stride};
   look_ = {view_.u_r,
@@ -92,6 +104,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            view_.jacobian,
            view_.viscous_pressure,
            view_.erosion_measure,
+           view_.foreseen_measure,
            view_.alive,
            stride};
   far_ = {field(), field()};
@@ -114,10 +127,8 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
 template <class Real>
 void Block<Real>::fill(const Problem& problem) {
   const int columns = mesh_.columns(), rows = mesh_.rows;
-  const bool by_load =
-      std::holds_alternative<StressErosion>(problem.erosion) || std::holds_alternative<EnergyErosion>(problem.erosion);
   std::fill_n(view_.jacobian, entries_, Real(1));
-  std::fill_n(view_.erosion_measure, entries_, Real(by_load ? 0 : 1));
+  std::fill_n(view_.erosion_measure, entries_, Real(erosion_kind_of(problem) == ErosionKind::stretch ? 1 : 0));
   column_mass_.assign(columns + 1, 0);
   row_density_.assign(rows + 1, 0);
   for (const LayerRows& layer : layers_)

@@ -16,6 +16,9 @@ struct LayerRows {
   double density;  // over the first layer's
 };
 
+// Numbers that a block keeps for each element or node, besides a byte.
+int fields_per_element(const Problem& problem);
+
 // Columns of nodes and elements (kernel.hpp, FieldsView) with their storage. Masses are lumped, a quarter of each
 // element's to each corner, and stay on the nodes when elements go.
 template <class Real>

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "percal/impact/settings.hpp"
+#include "percal/problem/domain.hpp"
 
 namespace percal {
 namespace {
@@ -53,16 +54,37 @@ PressureLaw pressure_law_of(VolumetricLaw law) {
   return PressureLaw::log_quadratic;
 }
 
-ErosionKind erosion_kind_of(const Erosion& erosion) {
-  if (std::holds_alternative<StressErosion>(erosion)) return ErosionKind::stress;
-  return std::holds_alternative<EnergyErosion>(erosion) ? ErosionKind::energy : ErosionKind::stretch;
+// The energy density that a layer has in uniaxial tension at this stretch, volume kept: impact.md (24).
+double uniaxial_energy(const Layer& layer, double stretch) {
+  return 2 * layer.mu / (layer.alpha * layer.alpha) *
+         (std::pow(stretch, layer.alpha) + 2 * std::pow(stretch, -layer.alpha / 2) - 3);
+}
+
+// What a layer's measure of erosion may not exceed.
+void set_erosion_limit(MaterialConstants& c, const Layer& layer, const Problem& p) {
+  const auto* strain = std::get_if<StrainErosion>(&p.erosion);
+  const double stretch = strain ? stretch_at(layer.erosion_limit, strain->measure) : infinite;
+  switch (erosion_kind_of(p)) {
+    case ErosionKind::stretch: c.erosion_stretch = stretch; break;
+    case ErosionKind::averaged_energy:
+      c.erosion_limit = strain && stretch < infinite ? uniaxial_energy(layer, stretch) : layer.erosion_limit;
+      break;
+    case ErosionKind::stress:
+    case ErosionKind::energy: c.erosion_limit = layer.erosion_limit; break;
+  }
 }
 
 }  // namespace
 
+ErosionKind erosion_kind_of(const Problem& p) {
+  if (std::holds_alternative<StressErosion>(p.erosion)) return ErosionKind::stress;
+  if (std::holds_alternative<NoErosion>(p.erosion)) return ErosionKind::stretch;
+  if (std::holds_alternative<AverageWithin>(p.erosion_average)) return ErosionKind::averaged_energy;
+  return std::holds_alternative<EnergyErosion>(p.erosion) ? ErosionKind::energy : ErosionKind::stretch;
+}
+
 GradedMesh mesh_of(const Problem& p) {
-  const GradedMesh right =
-      graded_mesh({p.elements_per_radius, p.fine_width, p.graded_columns, p.width, p.whole_depth()});
+  const GradedMesh right = graded_mesh(mesh_options(p));
   return p.whole ? mirrored(right) : right;
 }
 
@@ -84,10 +106,7 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
                         .largest_inverse_step = infinite,
                         .density = layer.density,
                         .erosion_limit = infinite};
-    if (const auto* strain = std::get_if<StrainErosion>(&p.erosion))
-      c.erosion_stretch = stretch_at(layer.erosion_limit, strain->measure);
-    else
-      c.erosion_limit = layer.erosion_limit;
+    set_erosion_limit(c, layer, p);
     if (layer.erosion_limit < infinite) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
@@ -104,7 +123,7 @@ TargetSolid::TargetSolid(const Problem& problem, const std::vector<LayerRows>& r
     : pressure_law(pressure_law_of(problem.volumetric_law)),
       hourglass_kind(problem.hourglass_form == HourglassForm::viscosity ? HourglassKind::viscosity
                                                                         : HourglassKind::stiffness),
-      erosion_kind(erosion_kind_of(problem.erosion)) {
+      erosion_kind(erosion_kind_of(problem)) {
   const std::vector<MaterialConstants> materials = constants_of_layers(problem);
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (k == 0 || rows[k].begin < rows[k].end) layers.push_back({rows[k].begin, rows[k].end, materials[k]});
@@ -115,7 +134,8 @@ TargetSolid::TargetSolid(const Problem& problem, const std::vector<LayerRows>& r
 
 bool TargetSolid::is_plain() const {
   return layers.size() == 1 && pressure_law == PressureLaw::log_quadratic &&
-         hourglass_kind == HourglassKind::stiffness && erosion_kind == ErosionKind::stretch && relaxation.empty();
+         hourglass_kind == HourglassKind::stiffness && relaxation.empty() &&
+         (erosion_kind == ErosionKind::stretch || erosion_kind == ErosionKind::averaged_energy);
 }
 
 const MaterialConstants& TargetSolid::of_row(int row) const {

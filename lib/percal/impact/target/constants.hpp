@@ -10,6 +10,7 @@
 namespace percal {
 
 GradedMesh mesh_of(const Problem& problem);
+ErosionKind erosion_kind_of(const Problem& problem);
 std::vector<MaterialConstants> constants_of_layers(const Problem& problem);
 
 // What the target is made of.
@@ -23,7 +24,7 @@ struct TargetSolid {
   ErosionKind erosion_kind = ErosionKind::stretch;
   std::vector<RelaxingTerm> relaxation;
 
-  // Whether Kernel::internal_forces will do, which knows no more than the plain solid.
+  // Whether a kernel will do that knows no more than the plain solid: Kernel::internal_forces, internal_forces_averaged.
   bool is_plain() const;
   const MaterialConstants& of_row(int row) const;
   bool erodes(int row) const;

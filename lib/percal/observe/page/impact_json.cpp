@@ -2,6 +2,8 @@
 
 #include "percal/observe/history.hpp"
 #include "percal/observe/stored_run.hpp"
+#include "percal/problem/replicates.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene_toml.hpp"
 
 namespace percal {
@@ -13,11 +15,23 @@ using page::Json;
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 Json count_or_null(const std::optional<int>& count) { return count ? Json(*count) : Json(nullptr); }
 
+// What of the mesh the program chose, and what came of it.
+Json mesh_to_json(const Reduction& reduction) {
+  const Problem& p = reduction.problem;
+  return {{"elements_per_radius", p.elements_per_radius},
+          {"width_over_radius", p.width},
+          {"width_was_chosen", reduction.mesh.width_was_chosen},
+          {"columns", reduction.mesh.columns},
+          {"graded_columns", p.graded_columns},
+          {"graded_columns_were_chosen", reduction.mesh.columns_were_chosen},
+          {"growth", reduction.mesh.growth}};
+}
+
 Json accuracy_to_json(const AdvisedAccuracy& advised) {
   return {{"target_error", advised.target_error},
           {"why_not", text_or_null(advised.why_not)},
           {"cost_estimated", advised.is_extrapolated},
-          {"elements_per_radius", count_or_null(advised.elements_per_radius)},
+          {"elements_per_radius", finite(advised.elements_per_radius)},
           {"replicates", count_or_null(advised.replicates)},
           {"arithmetic", advised.elements_per_radius ? Json("single") : Json(nullptr)},
           {"discretisation_error", finite(advised.discretisation_error)},
@@ -34,9 +48,10 @@ Json accuracy_to_json(const AdvisedAccuracy& advised) {
           {"study_cpu_s", advised.study_cpu_seconds}};
 }
 
-Json run_to_json(const Evaluation& run, double speed_factor, double depth) {
+Json run_to_json(const Evaluation& run, const Problem& replicate, double depth) {
   const ImpactResult& r = run.result;
-  return {{"speed_factor", speed_factor},
+  return {{"elements_per_radius", replicate.elements_per_radius},
+          {"speed_factor", replicate.speed_factor},
           {"outcome", word(r.outcome)},
           {"reason", text_or_null(r.reason)},
           {"depth_m", finite(depth)},
@@ -55,24 +70,27 @@ Json run_to_json(const Evaluation& run, double speed_factor, double depth) {
 // What the runs say; of none: null.
 Json outcome_to_json(const ImpactFindings& f) {
   const bool ran = !f.runs.empty();
-  const ImpactResult first = ran ? f.runs.front().result : ImpactResult{};
+  const int count = static_cast<int>(f.runs.size());
+  const ImpactResult middle = ran ? f.runs[middle_replicate(count)].result : ImpactResult{};
+  const auto replicates = replicates_of(f.reduction.problem, count);
   const auto of_a_run = [&](const auto& value) { return ran ? Json(value) : Json(nullptr); };
   Json runs = Json::array();
   for (std::size_t k = 0; k < f.runs.size(); ++k)
-    runs.push_back(run_to_json(f.runs[k], replicate_speed_factor(static_cast<int>(k)), f.penetration.depths[k]));
-  return {{"outcome", of_a_run(word(f.penetration.outcome))},
-          {"depth_m", finite(f.penetration.depth)},
-          {"depth_spread_m", finite(f.penetration.spread)},
-          {"depth_standard_error_m", finite(f.penetration.standard_error)},
-          {"depth_at_least_m", finite(f.penetration.at_least)},
-          {"steps", of_a_run(first.steps)},
-          {"elements", of_a_run(first.elements)},
-          {"element_steps", of_a_run(first.element_steps)},
-          {"energy", of_a_run(energy_to_json(f.penetration.energy))},
-          {"energy_worst_closure", of_a_run(finite(f.penetration.worst_closure))},
-          {"history", first.history.empty() ? Json(nullptr)
-                                            : history_to_json(first.history, f.reduction.problem, f.reduction.scales)},
-          {"runs", runs}};
+    runs.push_back(run_to_json(f.runs[k], replicates[k], f.penetration.depths[k]));
+  return {
+      {"outcome", of_a_run(word(f.penetration.outcome))},
+      {"depth_m", finite(f.penetration.depth)},
+      {"depth_spread_m", finite(f.penetration.spread)},
+      {"depth_standard_error_m", finite(f.penetration.standard_error)},
+      {"depth_at_least_m", finite(f.penetration.at_least)},
+      {"steps", of_a_run(middle.steps)},
+      {"elements", of_a_run(middle.elements)},
+      {"element_steps", of_a_run(middle.element_steps)},
+      {"energy", of_a_run(energy_to_json(f.penetration.energy))},
+      {"energy_worst_closure", of_a_run(finite(f.penetration.worst_closure))},
+      {"history", middle.history.empty() ? Json(nullptr)
+                                         : history_to_json(middle.history, f.reduction.problem, f.reduction.scales)},
+      {"runs", runs}};
 }
 
 }  // namespace
@@ -92,6 +110,9 @@ Json impact_to_json(const ImpactFindings& f) {
                  {"bulk_modulus_Pa", f.reduction.bulk_modulus},
                  {"bulk_was_chosen", f.reduction.bulk_was_chosen},
                  {"mach", f.reduction.mach},
+                 {"mesh", mesh_to_json(f.reduction)},
+                 {"erosion_length_m", finite(erosion_length(f.scene.target))},
+                 {"element_over_erosion_length", finite(element_over_erosion_length(f.scene))},
                  {"fields", f.fields ? Json{{"list", f.fields->list}, {"frames", f.fields->frames}} : Json(nullptr)},
                  {"picture", text_or_null(f.picture)},
                  {"accuracy", f.accuracy ? accuracy_to_json(*f.accuracy) : Json(nullptr)},

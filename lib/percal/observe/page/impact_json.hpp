@@ -13,13 +13,14 @@ namespace percal {
 // Mesh and replicates that the scene's study advises for an error of the depth. Errors are shares of the depth.
 struct AdvisedAccuracy {
   double target_error = 0;
-  std::string why_not = "";                                      // why nothing was run for it; empty: something was
-  bool is_extrapolated = false;                                  // beyond the meshes of the study
-  std::optional<int> elements_per_radius = {}, replicates = {};  // none: no setting reaches the error
+  std::string why_not = "";                        // why nothing was run for it; empty: something was
+  bool is_extrapolated = false;                    // beyond the meshes of the study
+  std::optional<double> elements_per_radius = {};  // none: no setting reaches the error
+  std::optional<int> replicates = {};
   std::optional<double> discretisation_error = {}, noise_error = {}, error = {};
   std::optional<double> cpu_seconds = {}, cpu_seconds_low = {}, cpu_seconds_high = {};
   // The study: its meshes, the runs on each, its time step; whether the store had it, and what it cost now.
-  std::vector<int> studied_meshes = {};
+  std::vector<double> studied_meshes = {};
   int studied_replicates = 0;
   double time_step_factor = 0;
   bool study_was_kept = false;

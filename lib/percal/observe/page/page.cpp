@@ -31,8 +31,9 @@ std::string summary_of(const Json& result) {
     std::string summary = fmt::format("Depth {}", length(depth));
     if (number(result, "depth_standard_error_m"))
       summary += fmt::format(
-          ", standard error {} (a single run scatters by {}, {})", length(number(result, "depth_standard_error_m"), 3),
-          length(number(result, "depth_spread_m"), 3), counted(static_cast<long>(list(result, "runs").size()), "run"));
+          ", standard error {} (over the mesh phase and the speed together a single run scatters by {}, {})",
+          length(number(result, "depth_standard_error_m"), 3), length(number(result, "depth_spread_m"), 3),
+          counted(static_cast<long>(list(result, "runs").size()), "run"));
     return summary + "; the particle stopped in every run.";
   }
   if (number(result, "depth_at_least_m"))
@@ -81,16 +82,19 @@ Section asked_section(const Json& result) {
 Table runs_table(const Json& result) {
   Table table{
       .caption = "",
-      .rows = {{"speed", "outcome", "depth", "steps", "eroded", "J", "step", "energy", "CPU, s", "stored"}},
-      .notes = {"Replicates differ by a part in a thousand of the speed: what they differ by beyond that is the "
-                "scatter of erosion. J and step: the smallest, the step over the first. Energy: the sum of its terms "
-                "less 1. Stored: taken from the store."}};
+      .rows = {{"per radius", "speed", "outcome", "depth", "steps", "eroded", "J", "step", "energy", "CPU, s",
+                "stored"}},
+      .notes = {
+          "Replicates walk through the phase of the mesh (elements per radius) and differ by a part in a thousand "
+          "of the speed: what they differ by is the mesh phase and the scatter of erosion. J and step: the smallest, "
+          "the step over the first. Energy: the sum of its terms "
+          "less 1. Stored: taken from the store."}};
   for (const Json& run : list(result, "runs"))
-    table.rows.push_back({shown(number(run, "speed_factor"), 6), text(run, "outcome"), length(number(run, "depth_m")),
-                          shown(number(run, "steps"), 9), shown(number(run, "eroded"), 9),
-                          shown(number(run, "smallest_jacobian"), 3), shown(number(run, "smallest_step_over_first"), 3),
-                          percent(number(run, "energy_closure"), 2), shown(number(run, "cpu_s"), 3),
-                          yes(run, "reused") ? "yes" : "no"});
+    table.rows.push_back({shown(number(run, "elements_per_radius"), 4), shown(number(run, "speed_factor"), 6),
+                          text(run, "outcome"), length(number(run, "depth_m")), shown(number(run, "steps"), 9),
+                          shown(number(run, "eroded"), 9), shown(number(run, "smallest_jacobian"), 3),
+                          shown(number(run, "smallest_step_over_first"), 3), percent(number(run, "energy_closure"), 2),
+                          shown(number(run, "cpu_s"), 3), yes(run, "reused") ? "yes" : "no"});
   return table;
 }
 
@@ -104,27 +108,26 @@ Figure scatter_figure(const Json& result) {
          band = series("its standard error", Mark::band, 0);
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Json& run : list(result, "runs")) {
-    const double factor = number_or(run, "speed_factor", NAN), change = 100 * (factor - 1);
-    add_point(runs, change, number_or(run, "depth_m", NAN) / unit.size);
-    low = std::min(low, change);
-    high = std::max(high, change);
+    const double mesh = number_or(run, "elements_per_radius", NAN);
+    add_point(runs, mesh, number_or(run, "depth_m", NAN) / unit.size);
+    low = std::min(low, mesh);
+    high = std::max(high, mesh);
   }
   if (runs.x.size() < 2 || !std::isfinite(mean)) return figure;
   for (const double x : {low, high}) {
     add_point(line, x, mean);
     if (std::isfinite(error)) add_bar(band, x, mean, mean - error, mean + error);
   }
-  figure.chart.title = "The noise: depth of each run";
-  figure.chart.x.label = "change of the impact speed, %";
+  figure.chart.title = "Mesh phase and noise: depth of each run";
+  figure.chart.x.label = "elements per radius";
   figure.chart.y.label = "depth, " + unit.name;
   add(figure.chart, band);
   add(figure.chart, line);
   add(figure.chart, runs);
-  figure.caption =
-      fmt::format("Runs that differ by a part in a thousand of the speed scatter by {} of the depth.",
-                  percent(number_or(result, "depth_spread_m", NAN) / number_or(result, "depth_m", NAN), 2));
-  figure.alt =
-      fmt::format("Depths of {} runs over small changes of the impact speed. {}", runs.x.size(), figure.caption);
+  figure.caption = fmt::format(
+      "Runs over one period of the mesh phase, each at a slightly different speed, scatter by {} of the depth.",
+      percent(number_or(result, "depth_spread_m", NAN) / number_or(result, "depth_m", NAN), 2));
+  figure.alt = fmt::format("Depths of {} runs over elements per radius. {}", runs.x.size(), figure.caption);
   return figure;
 }
 
@@ -133,12 +136,14 @@ std::string error_words(const Json& result) {
   const Json& accuracy = at(result, "accuracy");
   if (list(result, "runs").empty()) return "";
   if (accuracy.is_null())
-    return "The standard error is the noise of erosion alone; the error of the mesh is not in it. `percal study SCENE "
+    return "The standard error is that of mesh phase and erosion noise; the error of the element size is not in it. "
+           "`percal study SCENE "
            "--error-vs-time` measures it, `percal impact SCENE --accuracy 2%` chooses mesh and replicates by it.";
-  return fmt::format("Estimated error of the depth {} (mesh {}, noise of erosion {}), from the scene's study{}.",
-                     rough_percent(number(accuracy, "error")), rough_percent(number(accuracy, "discretisation_error")),
-                     rough_percent(number(accuracy, "noise_error")),
-                     yes(accuracy, "cost_estimated") ? ", by extrapolation beyond its meshes" : "");
+  return fmt::format(
+      "Estimated error of the depth {} (element size {}, mesh phase and noise {}), from the scene's study{}.",
+      rough_percent(number(accuracy, "error")), rough_percent(number(accuracy, "discretisation_error")),
+      rough_percent(number(accuracy, "noise_error")),
+      yes(accuracy, "cost_estimated") ? ", by extrapolation beyond its meshes" : "");
 }
 
 std::string with_words(const std::string& value, const std::string& words) {
@@ -159,10 +164,22 @@ Section result_section(const Json& result) {
                             (yes(result, "bulk_was_chosen") ? ", chosen by the program" : ", given"));
   row("Mach number", shown(number(result, "mach"), 3));
   row("elements", with_words(shown(number(result, "elements"), 9), shown(per_radius) + " per radius"));
+  const Json& mesh = at(result, "mesh");
+  row("width", with_words(shown(number(mesh, "width_over_radius"), 4),
+                          std::string("radii to the wall, ") +
+                              (yes(mesh, "width_was_chosen") ? "chosen by the program" : "given")));
+  row("columns",
+      with_words(shown(number(mesh, "columns"), 6),
+                 fmt::format("{} of them graded ({}), each {} times the last", shown(number(mesh, "graded_columns")),
+                             yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given",
+                             shown(number(mesh, "growth"), 3))));
+  row("erosion judged over",
+      with_words(length(number(result, "erosion_length_m")),
+                 "elements of " + shown(number(result, "element_over_erosion_length"), 3) + " of it"));
   if (const Json& fields = at(result, "fields"); !fields.is_null())
-    row("fields of the first run",
+    row("fields of the middle run",
         text(fields, "list") + ", " + counted(static_cast<long>(number_or(fields, "frames", 0)), "frame"));
-  row("picture of the first run", text(result, "picture"));
+  row("picture of the middle run", text(result, "picture"));
   add(section, table);
   add_sentence(section, error_words(result));
   return section;
@@ -176,8 +193,8 @@ Table accuracy_table(const Json& result) {
     if (value != absent) table.rows.push_back({what, value});
   };
   row("asked for", percent(number(accuracy, "target_error")));
-  row("mesh", percent(number(accuracy, "discretisation_error")));
-  row("noise of erosion", percent(number(accuracy, "noise_error")));
+  row("element size", percent(number(accuracy, "discretisation_error")));
+  row("mesh phase and noise", percent(number(accuracy, "noise_error")));
   row("both", percent(number(accuracy, "error")));
   row("elements per radius", shown(number(accuracy, "elements_per_radius")));
   row("replicates", shown(number(accuracy, "replicates")));

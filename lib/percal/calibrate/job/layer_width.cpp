@@ -1,0 +1,61 @@
+// The width of the layers of a job that says none.     docs/formats/calibrate.md
+#include "percal/calibrate/layer_width.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/calibrate/job/read_job.hpp"
+#include "percal/scene/width.hpp"
+
+namespace percal {
+namespace {
+
+struct Bounds {
+  double low, high;
+};
+
+Bounds bounds_of(const CalibrationJob& job, const Hypothesis& hypothesis, const MaterialNumber& number) {
+  const auto* shared = std::get_if<SharedParameter>(&number);
+  if (!shared) return {std::get<double>(number), std::get<double>(number)};
+  if (const auto held = hypothesis.held.find(shared->index); held != hypothesis.held.end())
+    return {held->second, held->second};
+  const FreeParameter& free = job.parameters[shared->index].free;
+  return {free.low, free.high};
+}
+
+// Pa: the softest that any hypothesis lets a material be.
+double softest(const CalibrationJob& job, const CalibrationMaterial& material) {
+  double softest = INFINITY;
+  for (const Hypothesis& hypothesis : job.hypotheses) {
+    const Bounds mu = bounds_of(job, hypothesis, material.mu), alpha = bounds_of(job, hypothesis, material.alpha);
+    for (const double m : {mu.low, mu.high})
+      for (const double a : {alpha.low, alpha.high}) {
+        const double mu_true = true_modulus(m, a, hypothesis.convention);
+        if (mu_true > 0) softest = std::min(softest, mu_true);
+      }
+  }
+  return softest;
+}
+
+}  // namespace
+
+double width_needed(const CalibrationJob& job) {
+  double widest = 0;
+  for (const MeasuredShot& shot : job.shots) {
+    const CalibrationMaterial& material = job.materials[shot.material];
+    const double pi4 = material.density * shot.speed * shot.speed / softest(job, material);
+    widest = std::max(widest, usual_width(pi4, shot.density / material.density));
+  }
+  return widest;
+}
+
+void settle_width(CalibrationJob& job) {
+  double radii = 0;
+  for (const MeasuredShot& shot : job.shots) radii = std::max(radii, shot.layer_width / shot.radius);
+  job.width_was_chosen = radii == 0;
+  if (job.width_was_chosen) radii = width_needed(job);
+  for (MeasuredShot& shot : job.shots)
+    if (shot.layer_width == 0) shot.layer_width = radii * shot.radius;
+}
+
+}  // namespace percal

@@ -1,0 +1,21 @@
+// The length over which a scene judges erosion, and the elements in it.
+#pragma once
+#include <optional>
+
+#include "percal/base/error.hpp"
+#include "percal/scene/scene.hpp"
+
+namespace percal {
+
+// An element may be so large a share of the length: three of them lie in it.
+inline constexpr double largest_element_in_length = 1.0 / 3;
+
+std::optional<double> erosion_length(const LayerScene& target);  // m; nothing where each element is judged by itself
+
+// The side of an element over the length; nothing where there is none.
+std::optional<double> element_over_erosion_length(const Scene& scene);
+
+// Throws BadInput at `place` where the elements are too large.
+void need_elements_in_erosion_length(const Scene& scene, const Place& place);
+
+}  // namespace percal
