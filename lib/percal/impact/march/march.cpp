@@ -31,7 +31,7 @@ class March {
         zone_(block_, kernel_, particle_),
         recorder_(problem.history_samples),
         observer_(observer),
-        substeps_(std::holds_alternative<NoErosion>(problem.erosion) ? 1 : problem.rates) {
+        substeps_(rates_of(problem)) {
     impact_energy_ = particle_.energy().kinetic;
     rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
     if (substeps_ > 1)

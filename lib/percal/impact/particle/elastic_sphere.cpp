@@ -66,7 +66,7 @@ ElasticSphereRun::ElasticSphereRun(const Problem& problem, const Disc& disc)
   follow_outline();
   look_at_step();
   const StepLimits limits = step_limits(problem);
-  const double steps = steps_in(limits.time_step_factor * limits.first_step / problem.rates);
+  const double steps = steps_in(limits.time_step_factor * limits.first_step / rates_of(problem));
   if (problem.geometry != Geometry::axisymmetric)
     failure_ = "only a sphere in an axisymmetric scene can be elastic";
   else if (!(steps <= most_particle_steps)) {

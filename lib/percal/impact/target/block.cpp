@@ -39,8 +39,8 @@ int relaxing_terms_of(const Problem& problem) {
 int fields_per_element(const Problem& problem) {
   const int terms = relaxing_terms_of(problem);
   const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
-  return 12 + (averaged ? 1 : 0) + (problem.rates == 2 ? 2 : 0) + (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) +
-         (terms > 0 ? 4 * (terms + 2) : 0);
+  return 12 + (averaged ? 1 : 0) + (rates_of(problem) == 2 ? 2 : 0) +
+         (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) + (terms > 0 ? 4 * (terms + 2) : 0);
 }
 
 template <class Real>
@@ -73,7 +73,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
   if (stride * sizeof(Real) % 4096 == 0) stride += line;
   entries_ = static_cast<std::size_t>(mesh_.columns() + 1) * stride + 2 * line;
   const std::size_t bytes = (entries_ + line) / line * line * sizeof(Real);
-  const bool with_near_forces = problem.rates == 2;
+  const bool with_near_forces = rates_of(problem) == 2;
   const bool viscous_hourglass = problem.hourglass_form == HourglassForm::viscosity;
   const int terms = relaxing_terms_of(problem);
   const int fields = fields_per_element(problem);
