@@ -74,6 +74,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
   entries_ = static_cast<std::size_t>(mesh_.columns() + 1) * stride + 2 * line;
   const std::size_t bytes = (entries_ + line) / line * line * sizeof(Real);
   const bool with_near_forces = rates_of(problem) == 2;
+  const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
   const bool viscous_hourglass = problem.hourglass_form == HourglassForm::viscosity;
   const int terms = relaxing_terms_of(problem);
   const int fields = fields_per_element(problem);
