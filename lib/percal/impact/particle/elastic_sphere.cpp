@@ -198,11 +198,15 @@ void ElasticSphereRun::drift(double time) {
   for (int k = 0; k < steps; ++k) {
     std::vector<Point> before(body_.nodes());
     for (int n = 0; n < body_.nodes(); ++n) before[n] = body_.velocity(n);
+    const auto count_work = [&] {
+      for (int n = 0; n < body_.nodes(); ++n)
+        rest_work_ += body_.mass(n) / steps / 2 *
+                      dot(blow_[n], {before[n][0] + body_.velocity(n)[0], before[n][1] + body_.velocity(n)[1]});
+    };
     give_out(1.0 / steps);
+    if (k == 0) count_work();
     if (step > 0) body_.step(k == 0 ? 0.5 * step : step, step);
-    for (int n = 0; n < body_.nodes(); ++n)
-      rest_work_ += body_.mass(n) / steps / 2 *
-                    dot(blow_[n], {before[n][0] + body_.velocity(n)[0], before[n][1] + body_.velocity(n)[1]});
+    if (k > 0) count_work();
     if (step > 0) body_.forces();
   }
   std::fill(blow_.begin(), blow_.end(), Point{});
