@@ -11,10 +11,10 @@ namespace percal {
 inline constexpr double step_growth = 1.05;
 
 // The particle, as fast as at impact, passes at most this share of a row in a step. Larger: on coarse meshes of soft
-// targets it outruns its contact springs, and nodes end up inside it.
+// targets it outruns the target, and turns elements inside out before they push it.
 inline constexpr double largest_travel = 0.5;
 
-// A run whose step falls below this share of the first is unstable. Larger: stiff cases that would end well are given
+// A run whose step falls below this share of the first is called off. Larger: stiff cases that would end well are given
 // up. Smaller: a hopeless one takes hours to say so.
 inline constexpr double collapsed_step = 1e-4;
 
@@ -96,6 +96,10 @@ inline constexpr double particle_step_factor = 0.8;
 // long.
 inline constexpr int particle_step_interval = 8;
 inline constexpr double particle_step_change = 0.02;
+
+// Of an overlap that the sphere's own deformation has left, the share that a step's impulses take back. Larger: they push energy into
+// a soft sphere. Smaller: overlaps stay.
+inline constexpr double overlap_taken_back = 0.2;
 
 // Its own steps in one of the march's; one that needs more is not run, for a rigid one will do.
 inline constexpr int most_particle_steps = 200;

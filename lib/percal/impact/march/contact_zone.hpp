@@ -113,6 +113,8 @@ class ContactZone {
       Touch touch{.column = column, .node = n, .mass = block_.mass(column, found_[k])};
       touch.x = mesh.radius[column] + view.u_r[n];
       touch.z = found_[k] * mesh.row_height + view.u_z[n];
+      touch.from_x = touch.x - drift * view.v_r[n];
+      touch.from_z = touch.z - drift * view.v_z[n];
       const auto [gap, away_x, away_z] = particle_.overlap(touch.x, touch.z);
       touch.away_x = mesh.radius[column] == 0 && !block_.is_whole() ? 0 : away_x;
       touch.away_z = away_z;

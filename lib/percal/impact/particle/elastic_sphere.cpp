@@ -136,6 +136,10 @@ double ElasticSphereRun::meet(std::vector<Touch>& touches, ContactColumns) {
   for (Touch& touch : touches) {
     on.push_back(on_outline(touch));
     double sum = touch.steepness() / touch.mass;
+    if (ahead_ > 0) {
+      const Inside was = outline_.inside({touch.from_x, -touch.from_z});
+      if (was.ways > 0) touch.rate -= (1 - overlap_taken_back) * was.gap / ahead_;
+    }
     for (int k = 0; k < on.back().count; ++k) {
       const int b = on.back().node[k];
       sum += dot(on.back().by[k], on.back().by[k]) / mass[b];
