@@ -8,8 +8,8 @@ namespace percal {
 // How a run ended: a value that the caller must look at.
 //   stopped         the sphere came to rest: depth is its deepest tip position
 //   passed_through  the tip reached the bottom of the layer: depth is at least the layer's
-//   time_up         the end time came first: depth is the deepest so far
-//   unstable        an element turned inside out, the step collapsed, energy was not conserved or a number was not finite
+//   time_up         the end time came first, or the step collapsed: depth is the deepest so far
+//   unstable        an element turned inside out, energy was not conserved or a number was not finite
 enum class Outcome { stopped, passed_through, time_up, unstable };
 std::string word(Outcome outcome);
 Outcome outcome_from(const std::string& word);  // throws std::invalid_argument
@@ -28,7 +28,7 @@ struct EnergyLedger {
   double collisions = 0;        // lost where nodes of the target met the particle
 
   double sum() const;
-  double closure() const { return sum() - 1; }                           // the solver's own energy error
+  double closure() const { return sum() - 1; }                      // the solver's own energy error
   double numerical_loss() const { return viscosity + collisions; }  // no part of the physics asked for
 };
 
@@ -60,7 +60,7 @@ struct HistoryPoint {
 
 struct ImpactResult {
   Outcome outcome = Outcome::unstable;
-  std::string reason;  // of unstable, in words; else empty
+  std::string reason;  // of unstable, and of a time that is up because the step collapsed, in words; else empty
   double depth = 0;    // deepest tip position, radii
   double end_time = 0;
   double end_speed = 0;
