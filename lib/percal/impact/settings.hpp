@@ -51,10 +51,10 @@ inline constexpr int near_interval = 8;
 inline constexpr double distorted_jacobian = 0.05;
 inline constexpr double distorted_step = 0.016;
 
-// Where erosion is judged by an average, that may exceed its limit by this times the element over the radius, for an element goes
+// Where erosion is judged by an average, that may exceed its limit by this times the element over the length, for an element goes
 // whole where its centre is past the limit (docs/theory/impact.md, "Erosion judged over a length"). Without it coarse meshes go
-// deeper, by 15 % at 10 elements per radius in setting S; with twice as much they stay too shallow.
-inline constexpr double averaging_allowance = 3;
+// deeper, by 6 % at h/l = 1/3 in setting S; with twice as much they stay too shallow.
+inline constexpr double averaging_allowance = 0.8;
 
 // Below this J an element counts as turned inside out, which ends a run that does not erode. At 1e-3 element.hpp bounds
 // J.
