@@ -90,7 +90,7 @@ class SlowCoverage : public testing::Test {
     store_ = new Store(folder_->path("coverage.store"));
     campaign_ = new Campaign(store_, 0);
     job_ = new CalibrationJob(steel_into_gel());
-    Training training(*job_, {0}, store_, *campaign_, limits_);
+    Training training(*job_, store_, *campaign_, limits_);
     training.fill_space();
     emulator_ = new Emulator(training.emulator());
     for (const auto& natural : true_points(*job_, *emulator_)) {

@@ -10,7 +10,7 @@ namespace percal {
 // energy.
 inline constexpr double step_growth = 1.05;
 
-// The particle, as fast as at impact, passes at most this share of a row in a step. Larger: on coarse meshes of soft
+// The particle, as fast as at impact, passes at most this share of a row in a long step. Larger: on coarse meshes of soft
 // targets it outruns the target, and turns elements inside out before they push it.
 inline constexpr double largest_travel = 0.5;
 

@@ -156,7 +156,7 @@ class March {
     step_ =
         std::min(stable_step(forces_.near_inverse_step), stable_step(std::max(far_inverse_step_, first)) / substeps_);
     if (last_step_ > 0) step_ = std::min(step_, step_growth * last_step_);
-    step_ = std::min(step_, largest_travel * block_.mesh().row_height / problem_.speed_factor);
+    step_ = std::min(step_, largest_travel * block_.mesh().row_height / problem_.speed_factor / substeps_);
     result_.smallest_step = std::min(result_.smallest_step, step_ / (limits_.time_step_factor * limits_.first_step));
     if (substeps_ > 1)
       sweep_.watch(std::max(1 / (longest_far_step * limits_.first_step), forces_.near_inverse_step / substeps_));
