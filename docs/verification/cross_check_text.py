@@ -13,22 +13,22 @@ errors of the mean; sd is the standard deviation of one run. Processor times are
 ## Against the planning study's independent code
 
 The planning study's independent code was written before percal, as a throw-away, and none of it was taken over. It solves the same equations ([theory/impact.md](../theory/impact.md)) in double
-precision, on the same mesh, with the same viscosity (0.06, 1.2), hourglass stiffness (0.5 mu), penalty contact and erosion rule. Its figures are typed into cross_check_figures.py; they were taken on the
+precision, on the same mesh, with the same viscosity (0.06, 1.2), hourglass stiffness (0.5 mu) and erosion rule. Its figures are typed into cross_check_figures.py; they were taken on the
 same machine, ten runs each at the speed times 1, 1.001, 0.999, ..., 1.005. percal ran the same ten.
 
-Made equal: mesh, layer (45 a deep, 5 a wide, fixed wall, free bottom), K = 50 mu, contact stiffness (the other code's counts in steps with the CFL number in them: kpen = kappa CFL^2), erosion strain
-(engineering, hoop included). "Same settings" is percal in double precision, with one rate and a time-step factor of 0.8; "its defaults" is single precision, two rates, 0.9. Contact stiffness is
-0.6, setting S is alpha 8.5, erosion strain 0.7, pi4 {pi4}, density ratio {density}, 10 elements per radius unless a line says otherwise. Depths are in radii, differences are percal's less the other's.
+Made equal: mesh, layer (45 a deep, 5 a wide, fixed wall, free bottom), K = 50 mu, erosion strain
+(engineering, hoop included). "Same settings" is percal in double precision, with one rate and a time-step factor of 0.8; "its defaults" is single precision, two rates, 0.9, quadratic viscosity 0.6. Setting S is alpha 8.5, erosion strain 0.7, pi4 {pi4}, density ratio {density}, 10 elements per radius unless a line says otherwise. Depths are in radii, differences are percal's less the other's.
 
 Not equal, and known beforehand:
 
+- Contact: springs of kappa 0.6 (kpen = kappa CFL^2, its steps having the CFL number in them) in the other code, impulses in percal.
 - Erosion: percal extrapolates the strain by half a step before it compares it with the limit; the other code waits for the first step at which it is over.
 - Stable step: the other code pairs the largest modulus with the smallest stretch. At alpha 8.5 that is some 1.5 times shorter than percal's step; at large alpha and at negative alpha it is no
   bound (up to 9.8 times too long at alpha 20, 4.0 at -6, for random states).
 - Velocities: percal kicks by the mean of the last step and the next, the other code by the next. Its ledger, of first order, closes to 0 to 5 %
   (10 % at alpha -6, 12 % with the rhombus, 17 % in the stiff end of the ridge), percal's to under 1 %.
 - Viscous pressure is added to the Kirchhoff stress as -q there and as -q J here.
-- Rhombus: a node on the axis near the tip is pushed along the axis by its vertical overlap there, across the nearer side by its distance to that here: four times softer.
+- Rhombus: a node on the axis near the tip is pushed along the axis by its vertical overlap there, across the nearer side by its distance to that here.
 
 {codes}
 

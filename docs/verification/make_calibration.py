@@ -129,22 +129,15 @@ def single_particle_text(result):
 
 
 def emulator_rows(result):
-    rows = []
-    for e in result["emulators"]:
-        last = e["rounds"][-1] if e["rounds"] else {"runs": 0, "cpu_s": 0}
-        rows.append([e["setting"], last["runs"], f"{last['cpu_s']:.0f}", ", ".join(f"{o['runs']} {o['outcome']}" for o in e["outcomes"]),
-                     percent(e["leave_one_out_error"]), f"{e['standardised_deviation']:.2f}", percent(e["error_at_optimum"]),
-                     percent(e["data_error"]), percent(e["settings"]["noise"])])
-    return rows
+    e = result["emulator"]
+    last = e["rounds"][-1] if e["rounds"] else {"runs": 0, "cpu_s": 0}
+    return [[last["runs"], f"{last['cpu_s']:.0f}", ", ".join(f"{o['runs']} {o['outcome']}" for o in e["outcomes"]),
+             percent(e["leave_one_out_error"]), f"{e['standardised_deviation']:.2f}", percent(e["error_at_optimum"]),
+             percent(e["data_error"]), percent(e["settings"]["noise"])]]
 
 
 def round_rows(result):
-    rows = []
-    for e in result["emulators"]:
-        for r in e["rounds"]:
-            if r["error_at_optimum"]:
-                rows.append([e["setting"], r["runs"], f"{r['cpu_s']:.0f}", percent(r["error_at_optimum"])])
-    return rows
+    return [[r["runs"], f"{r['cpu_s']:.0f}", percent(r["error_at_optimum"])] for r in result["emulator"]["rounds"] if r["error_at_optimum"]]
 
 
 def fresh_rows(result):
@@ -222,13 +215,13 @@ and counts as none: each per cent of it is a per cent of E. Formulations enter w
 
 {table(["shot", "fitted", "measured", "model", "deviation", "95 %", "Dehn's deviation"], shot_rows(result, 0))}
 
-### The emulators
+### The emulator
 
-{table(["setting", "runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
+{table(["runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
 
 Error at the optimum against cost:
 
-{table(["setting", "runs", "CPU s", "error"], round_rows(result))}
+{table(["runs", "CPU s", "error"], round_rows(result))}
 
 Fresh runs at the best point, on a mesh finer than any the emulator learnt from: root mean square of (run - emulator) over the emulator's stated error, 1 where that is right.
 
@@ -248,7 +241,7 @@ def joint_part(result):
 
 {table(["", "goal"] + [r["name"] for r in hypotheses(result)] + ["Dehn"], cross_rows(result))}
 
-{table(["setting", "runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
+{table(["runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
 
 {findings(result)}
 """

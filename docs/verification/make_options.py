@@ -59,16 +59,15 @@ GROUPS = [
         ("none", solver("hourglass = 0")),
         ("springs, 0.1 mu", solver("hourglass = 0.1")),
         ("springs, 2 mu", solver("hourglass = 2")),
-        ("dashpots, 0.02", solver('hourglass_form = "viscosity"', "hourglass = 0.02")),
+        ("dashpots, 0.02", solver('hourglass_form = "viscosity"')),
         ("dashpots, 0.1", solver('hourglass_form = "viscosity"', "hourglass = 0.1")),
-        ("dashpots, 0.5", solver('hourglass_form = "viscosity"'))]),
+        ("dashpots, 0.5", solver('hourglass_form = "viscosity"', "hourglass = 0.5"))]),
     ("Volumetric law", [
         ("log-quadratic", None),
         ("quadratic", solver('volumetric_law = "quadratic"')),
         ("logarithmic", solver('volumetric_law = "logarithmic"'))]),
-    ("Contact stiffness", [("0.6", None), ("0.15", solver("contact_stiffness = 0.15")), ("2.4", solver("contact_stiffness = 2.4"))]),
     ("Bulk viscosity, linear and quadratic", [
-        ("0.06, 1.2", None), ("0.12, 1.2", solver("linear_viscosity = 0.12")), ("0.06, 0.6", solver("quadratic_viscosity = 0.6")),
+        ("0.06, 0.6", None), ("0.12, 0.6", solver("linear_viscosity = 0.12")), ("0.06, 1.2", solver("quadratic_viscosity = 1.2")),
         ("none", solver("linear_viscosity = 0", "quadratic_viscosity = 0"))]),
     ("Rates", [("2", None), ("1", solver("rates = 1"))]),
     ("Relaxation of half the modulus", [

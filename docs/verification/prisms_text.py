@@ -41,8 +41,7 @@ LS-DYNA finds 3.46 cm, 3.44 cm were measured. One run for each mesh of the thesi
 What is explained: on the coarsest mesh no element reaches a stretch of 1.975, nothing erodes, and the rhombus rests on a dent that is shallower than itself. A sharp tip in contact strains the elements before it the
 more the smaller they are, so whether anything erodes is the mesh's choice and not the material's. Where a channel is eroded, the energy of what is deleted belongs to a strip about an element wide, and no length
 scale holds it when the elements shrink: the depth goes on rising with the mesh. Where the energy goes: up to {viscosity:.0f} % into bulk viscosity, most likely because an element that goes at a stretch near 2 with alpha 8.5
-lets its neighbours recoil, and viscosity takes what rings. It is not what stops the particle: with both viscosity terms off at 30 elements the depth is {inviscid} cm instead of {viscous}, and the energy is found as kinetic and elastic instead. A softer
-contact (0.156 for 0.6) gives {soft} cm there.
+lets its neighbours recoil, and viscosity takes what rings. It is not what stops the particle: with both viscosity terms off at 30 elements the depth is {inviscid} cm instead of {viscous}, and the energy is found as kinetic and elastic instead.
 
 What stays open: the finest mesh here, the thesis's element size, reaches {finest} cm, {short:.0f} % short of LS-DYNA, and nothing shows that the sequence ends. Erosion strain 0.975 does not carry over to this
 solver; 0.57 does at 14 elements, in a domain whose wall decides. The thesis states neither its strain measure nor how its mesh was laid at the tip, so that why LS-DYNA needed 0.975 is not answered.

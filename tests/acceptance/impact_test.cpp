@@ -47,7 +47,7 @@ TEST_F(Impact, ThatStopsGivesADepth) {
   EXPECT_TRUE(found["depth_at_least_m"].is_null());
   EXPECT_THAT(found["cost"]["isa"].get<std::string>(), testing::Not(IsEmpty()));
   for (const char* term : {"particle", "live_kinetic", "freed_mass", "elastic", "hourglass", "viscosity", "eroded",
-                           "contact", "contact_dropped", "sum"})
+                           "collisions", "sum"})
     EXPECT_TRUE(found["energy"].contains(term)) << term;
   EXPECT_NEAR(found["energy"]["sum"], 1, 0.05);
   ASSERT_GT(found["left_out"].size(), 0u);

@@ -40,7 +40,7 @@ TEST_P(ReadBadCalibration, IsRefusedWithPlaceFindingAndRemedy) {
 }
 
 const std::string first_point = "diameter = \"2 mm\"";
-const std::string second_hypothesis = "contact_stiffness = 0.156";
+const std::string second_hypothesis = "measure = \"true\"";
 const std::string hard_strain = "erosion_strain = 0.8";
 
 const std::vector<BadCalibration> bad_jobs{
@@ -345,11 +345,11 @@ const std::vector<BadCalibration> bad_jobs{
      "cross_validation.1..readings",
      "beside hypotheses",
      "hypotheses alone"},
-    {"ContactStiffnessOfZero",
-     {{second_hypothesis, "contact_stiffness = 0"}},
+    {"AHypothesisThatDiffersInContactStiffness",
+     {{second_hypothesis, "contact_stiffness = 0.156"}},
      "hypotheses.2..contact_stiffness",
-     "0",
-     "positive"},
+     "springs that contact does not have",
+     "convention or in its measure"},
     // Cross-validations
     {"FilterThatIsNone",
      {{"predict = [\"ball=lead\"]", "predict = [\"lead\"]"}},

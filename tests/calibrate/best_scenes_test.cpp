@@ -25,7 +25,6 @@ TEST_F(BestScenes, AreTheShotsOnTheMeshOfTheFreshRuns) {
     EXPECT_EQ(scene.particle.speed, job.shots[i].speed);
     const Problem problem = reduce(scene).problem;
     EXPECT_NEAR(problem.width, 5, 1e-9);
-    EXPECT_EQ(problem.contact_stiffness, job.hypotheses[0].contact_stiffness);
     EXPECT_EQ(problem.arithmetic, Arithmetic::double_precision);
   }
   EXPECT_NEAR(std::get<StrainErosion>(scenes[0].scene.target.erosion).limit, 0.9, 1e-12);

@@ -73,7 +73,7 @@ std::vector<double> solved(const CalibrationJob& job, Campaign& campaign, const 
   std::vector<Problem> problems;
   for (const auto& shot : job.shots)
     problems.push_back(
-        shot_problem(job, job.hypotheses[0], shot, material_at(job, job.hypotheses[0], 0, natural), mesh));
+        shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, natural), mesh));
   std::vector<double> log_depths;
   const auto runs = campaign.evaluate(problems, nullptr);
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -90,7 +90,7 @@ class SlowCoverage : public testing::Test {
     store_ = new Store(folder_->path("coverage.store"));
     campaign_ = new Campaign(store_, 0);
     job_ = new CalibrationJob(steel_into_gel());
-    Training training(*job_, {0}, store_, *campaign_, limits_);
+    Training training(*job_, store_, *campaign_, limits_);
     training.fill_space();
     emulator_ = new Emulator(training.emulator());
     for (const auto& natural : true_points(*job_, *emulator_)) {

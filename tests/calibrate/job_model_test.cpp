@@ -110,7 +110,7 @@ TEST(ShotProblem, TheEmulatorsInputsAreThoseOfTheProblemThatIsRun) {
   const CalibrationJob job = test::gel_job();
   const MaterialAt material = material_at(job, job.hypotheses[0], 0, {150e3, 8, 0.9});
   for (const auto& shot : job.shots) {
-    const Problem problem = shot_problem(job, job.hypotheses[0], shot, material, 8);
+    const Problem problem = shot_problem(job, shot, material, 8);
     const Eigen::VectorXd rounding = in_order(shot_inputs(shot, material).at) - in_order(inputs_of(problem));
     EXPECT_LT(rounding.cwiseAbs().maxCoeff(), 1e-11);
   }

@@ -117,7 +117,6 @@ name = "held"
 hold = { mu = "90 kPa", alpha = 5 }
 convention = "mu/alpha"
 measure = "true"
-contact_stiffness = 0.156
 
 [[cross_validation]]
 name = "steel -> lead"
@@ -147,7 +146,6 @@ verify_replicates = 2
 seed = 7
 
 [solver]
-contact_stiffness = 0.5
 arithmetic = "double"
 )";
 
@@ -259,8 +257,6 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   dehn.leave_one_out = {{"leave one out: balls", 0, {}, {}, {"predicted", 4, 0.151, 0, 3}, {}}};
 
   EmulatorReport emulator;
-  emulator.setting = "contact stiffness 0.5";
-  emulator.hypotheses = {0, 1};
   emulator.runs = 20;
   emulator.reused = 10;
   emulator.foreign = 3;
@@ -274,7 +270,7 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   emulator.rounds = {{20, 4, 0.03}, {30, 8, 0.011}};
 
   CalibrationResult result;
-  result.emulators = {emulator};
+  result.emulator = emulator;
   result.hypotheses = {hypothesis, held};
   result.dehn = dehn;
   result.findings = {"Dehn predicts better."};

@@ -38,7 +38,7 @@ class CalibrationRuns : public testing::Test, protected test::TemporaryFolder {
 // Most of the first design's 64 runs come to rest, then all fail that the fitted emulator asks for.
 TEST_F(CalibrationRuns, FailuresAfterAFittedRoundLeaveNoHypothesis) {
   job_.training.failures_tolerated = 0.4;
-  Training(job_, {0}, &store_, campaign_, limits_).fill_space();
+  Training(job_, &store_, campaign_, limits_).fill_space();
   const auto design = store_.with_prefix(stored_spheres_prefix());
   const auto silent = [](const std::string&) {};
   const CalibrationResult undisturbed = calibrate(job_, store_, campaign_, limits_, silent);
@@ -61,7 +61,7 @@ TEST_F(CalibrationRuns, FailuresAfterAFittedRoundLeaveNoHypothesis) {
 // Single runs whose mesh phases fill one period: no two alike, and as many below the job's mesh as above.
 TEST_F(CalibrationRuns, AreOnMeshesOfDrawnPhases) {
   job_.training.coarse = job_.training.fine = 3.5;
-  Training(job_, {0}, &store_, campaign_, limits_).fill_space();
+  Training(job_, &store_, campaign_, limits_).fill_space();
   std::vector<double> meshes;
   for (const StoredSphere& run : stored_spheres(store_)) meshes.push_back(run.problem.elements_per_radius);
   ASSERT_EQ(meshes.size(), 64u);
@@ -74,29 +74,28 @@ TEST_F(CalibrationRuns, AreOnMeshesOfDrawnPhases) {
   other.training.seed += 1;
   Store elsewhere(path("other.store"));
   Campaign campaign(&elsewhere, 0);
-  Training(other, {0}, &elsewhere, campaign, limits_).fill_space();
+  Training(other, &elsewhere, campaign, limits_).fill_space();
   EXPECT_NE(stored_spheres(elsewhere).front().key, stored_spheres(store_).front().key) << "the seed chooses them";
 }
 
 TEST_F(CalibrationRuns, ThoseOfOthersAreLearntFromUnlessTheJobHasBegunWithoutThem) {
-  Training begun(job_, {0}, &store_, campaign_, limits_);
+  Training begun(job_, &store_, campaign_, limits_);
   CalibrationJob other = job_;
   other.text = "another job";
-  Training(other, {0}, &store_, campaign_, limits_).fill_space();
-  EXPECT_EQ(Training(job_, {0}, &store_, campaign_, limits_).report().foreign, 0) << "it goes on as it began";
+  Training(other, &store_, campaign_, limits_).fill_space();
+  EXPECT_EQ(Training(job_, &store_, campaign_, limits_).report().foreign, 0) << "it goes on as it began";
   CalibrationJob third = job_;
   third.text = "a third one";
-  EXPECT_GT(Training(third, {0}, &store_, campaign_, limits_).report().foreign, 30);
+  EXPECT_GT(Training(third, &store_, campaign_, limits_).report().foreign, 30);
 }
 
 // What a job began with elsewhere says nothing about the runs that it finds here.
 TEST_F(CalibrationRuns, ThoseOfOthersAreLearntFromAnewByAnotherSolverOrProcessor) {
-  const std::string setting = Training(quick_job(), {0}, nullptr, campaign_, limits_).report().setting;
-  store_.put_note(foreign_note(job_, setting, sphere_key_prefix("another level")), "");
+  store_.put_note(foreign_note(job_, sphere_key_prefix("another level")), "");
   CalibrationJob other = job_;
   other.text = "another job";
-  Training(other, {0}, &store_, campaign_, limits_).fill_space();
-  EXPECT_GT(Training(job_, {0}, &store_, campaign_, limits_).report().foreign, 30);
+  Training(other, &store_, campaign_, limits_).fill_space();
+  EXPECT_GT(Training(job_, &store_, campaign_, limits_).report().foreign, 30);
 }
 
 }  // namespace

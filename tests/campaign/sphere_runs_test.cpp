@@ -132,7 +132,7 @@ TEST(SettingOf, WhatTheEmulatorDoesNotKnowTellsThemApart) {
     change(p);
     return setting_of(p) != setting_of(quick_shot());
   };
-  EXPECT_TRUE(differs([](Problem& p) { p.contact_stiffness = 0.156; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.hourglass = 0.156; }));
   EXPECT_TRUE(differs([](Problem& p) { p.width = 10; }));
   EXPECT_TRUE(differs([](Problem& p) { p.bottom = Bottom::fixed; }));
   EXPECT_TRUE(differs([](Problem& p) { p.fine_width = 2; }));

@@ -34,7 +34,7 @@ Sample run_sample(Problem problem, Arithmetic arithmetic) {
     sample.depths.push_back(result.depth);
     for (double EnergyLedger::*share :
          {&EnergyLedger::live_kinetic, &EnergyLedger::elastic, &EnergyLedger::viscosity, &EnergyLedger::eroded,
-          &EnergyLedger::contact_dropped, &EnergyLedger::freed_mass})
+          &EnergyLedger::collisions, &EnergyLedger::freed_mass})
       sample.energy.*share += result.energy.*share / replicates;
   }
   sample.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -58,7 +58,7 @@ TEST_P(SlowArithmetic, SinglePrecisionGivesTheDepthOfDouble) {
                                     {"elastic", &EnergyLedger::elastic},
                                     {"viscosity", &EnergyLedger::viscosity},
                                     {"eroded", &EnergyLedger::eroded},
-                                    {"contact dropped", &EnergyLedger::contact_dropped},
+                                    {"collisions", &EnergyLedger::collisions},
                                     {"freed mass", &EnergyLedger::freed_mass}}) {
     std::printf("  %-16s %.4f %.4f\n", name, single.energy.*share, twice.energy.*share);
     EXPECT_NEAR(single.energy.*share, twice.energy.*share, 0.01) << name;

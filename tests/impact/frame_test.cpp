@@ -113,7 +113,7 @@ TEST(TargetPiece, LayersVolumesAndPlacesAreTheMeshs) {
   Problem p = setting_s(5);
   p.depth = 4;
   p.below = {{.depth = 2, .density = 1, .mu = p.mu(), .alpha = 3, .erosion_limit = 2}};
-  Block<float> block(p, mesh_of(p), 1, kernel<float>().lanes);
+  Block<float> block(p, mesh_of(p), kernel<float>().lanes);
   const TargetPiece piece = target_piece(block, TargetSolid(p, block.layers()));
   double volume = 0, lower = 0;
   for (std::size_t k = 0; k < piece.volume.size(); ++k) (piece.layer[k] == 0 ? volume : lower) += piece.volume[k];

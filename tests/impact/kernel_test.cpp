@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "impact/element_reference.hpp"
 #include "percal/impact/target/contents.hpp"
@@ -44,7 +46,7 @@ void meets_the_scalar_code(double tolerance) {
         for (unsigned seed = 1; seed <= 5; ++seed) {
           const Problem problem = small_problem(alpha);
           const auto& kernel = of<Real>(kernels);
-          Block<Real> block(problem, mesh_of(problem), 1, kernel.lanes);
+          Block<Real> block(problem, mesh_of(problem), kernel.lanes);
           displace(block, 0.15, seed);
           const NodalForces reference = reference_forces(block, constants_of(problem), previous_step);
           const auto report = all_internal_forces(kernel, block, constants_of(problem), previous_step);
@@ -71,7 +73,7 @@ TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
     problem.depth = 4;
     problem.hourglass = 5;  // so that its part weighs as much as the others
     const auto& kernel = percal::kernel<double>();
-    Block<double> block(problem, mesh_of(problem), 1, kernel.lanes);
+    Block<double> block(problem, mesh_of(problem), kernel.lanes);
     displace(block, 0.15, 11);
     const auto material = constants_of(problem);
     all_internal_forces(kernel, block, material, 0);
@@ -104,7 +106,7 @@ TEST(Kernel, ForcesAreMinusTheDerivativeOfTheEnergy) {
 TEST(Kernel, ARigidTranslationAlongTheAxisMakesNoForceAndNoEnergy) {
   const Problem problem = small_problem(8.5);
   for (const auto& kernels : kernels_here()) {
-    Block<float> block(problem, mesh_of(problem), 1, kernels.single->lanes);
+    Block<float> block(problem, mesh_of(problem), kernels.single->lanes);
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j) block.view().u_z[block.at(i, j)] = 17.3f;
     all_internal_forces(*kernels.single, block, constants_of(problem), 0);
@@ -123,7 +125,7 @@ TEST(Kernel, ARigidTranslationAlongTheAxisMakesNoForceAndNoEnergy) {
 TEST(Kernel, InternalForcesAlongTheAxisAddUpToNothing) {
   const Problem problem = small_problem(8.5);
   const auto& kernel = percal::kernel<double>();
-  Block<double> block(problem, mesh_of(problem), 1, kernel.lanes);
+  Block<double> block(problem, mesh_of(problem), kernel.lanes);
   displace(block, 0.2, 4);
   all_internal_forces(kernel, block, constants_of(problem), 0.05);
   double sum = 0, size = 0;
@@ -139,7 +141,7 @@ TEST(Kernel, InternalForcesAlongTheAxisAddUpToNothing) {
 TEST(Kernel, ElementsBeyondTheErosionStretchAreMarkedAndPullNoMore) {
   const Problem problem = small_problem(8.5);
   for (const auto& kernels : kernels_here()) {
-    Block<double> block(problem, mesh_of(problem), 1, kernels.twice->lanes);
+    Block<double> block(problem, mesh_of(problem), kernels.twice->lanes);
     auto material = constants_of(problem);
     material.erosion_stretch = 1.5;
     // Row 20 is pulled to a stretch of 1.6; everything else moves with it unstrained.
@@ -151,7 +153,7 @@ TEST(Kernel, ElementsBeyondTheErosionStretchAreMarkedAndPullNoMore) {
       ASSERT_EQ(report.doomed, 1) << kernels.level;
       for (int j = 0; j < block.mesh().rows; ++j)
         EXPECT_EQ(block.view().alive[block.at(i, j)], j == 20 ? -1 : 1) << kernels.level << ", row " << j;
-      block.take_out(i, 20, false, [](int, int) {});
+      block.take_out(i, 20, false);
     }
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (const int j : {20, 21}) EXPECT_NEAR(block.far_forces().z[block.at(i, j)], 0, 1e-11) << kernels.level;
@@ -163,7 +165,7 @@ TEST(Kernel, ElementsBeyondTheErosionStretchAreMarkedAndPullNoMore) {
 TEST(Kernel, TheHoopStretchErodesToo) {
   const Problem problem = small_problem(8.5);
   const auto& kernel = percal::kernel<double>();
-  Block<double> block(problem, mesh_of(problem), 1, kernel.lanes);
+  Block<double> block(problem, mesh_of(problem), kernel.lanes);
   auto material = constants_of(problem);
   material.erosion_stretch = 1.5;
   for (int i = 0; i <= block.mesh().columns(); ++i)
@@ -173,32 +175,67 @@ TEST(Kernel, TheHoopStretchErodesToo) {
   EXPECT_EQ(report.doomed, block.mesh().rows);
 }
 
-TEST(Kernel, ContactPushesAlongTheRadiusAndTheSphereFeelsTheSame) {
+// Nodes that `is_inside` says are inside the particle, by the scalar code.
+template <class Real, class IsInside>
+std::vector<std::pair<int, int>> nodes_by_hand(const Block<Real>& block, IsInside is_inside) {
+  std::vector<std::pair<int, int>> nodes;
+  for (int i = 0; i <= block.mesh().columns(); ++i)
+    for (int j = 0; j <= block.mesh().rows; ++j)
+      if (block.view().touchable[block.at(i, j)] > 0 && is_inside(block.mesh().radius[i], j * block.mesh().row_height))
+        nodes.push_back({i, j});
+  return nodes;
+}
+template <class Real, class Find>
+std::vector<std::pair<int, int>> nodes_found(const Block<Real>& block, int lanes, Find find) {
+  const Rows rows{0, (block.mesh().rows + lanes) / lanes * lanes};
+  std::vector<int> found(rows.end);
+  std::vector<std::pair<int, int>> nodes;
+  for (int i = 0; i <= block.mesh().columns(); ++i) {
+    const int count = find(ContactNodes{i, block.mesh().radius[i], block.mesh().row_height, rows}, found.data());
+    for (int k = 0; k < count; ++k) nodes.push_back({i, found[k]});
+  }
+  return nodes;
+}
+
+TEST(Kernel, EveryLevelFindsTheNodesInsideASphereThatTheParticleCanMeet) {
   const Problem problem = small_problem(8.5);
+  const double centre = 4.1;
   for (const auto& kernels : kernels_here()) {
-    Block<double> block(problem, mesh_of(problem), 3.0, kernels.twice->lanes);
-    const auto& view = std::as_const(block).view();
-    const Rows rows{0, (block.mesh().rows + kernels.twice->lanes) / kernels.twice->lanes * kernels.twice->lanes};
-    const double centre = 4.1;
-    ContactReport report;
-    double sum = 0, energy = 0, deepest = 0;
-    for (int i = 0; i <= block.mesh().columns(); ++i) {
-      kernels.twice->sphere_contact(view, block.far_forces(),
-                                    {i, block.mesh().radius[i], block.mesh().row_height, rows}, centre, report);
-      for (int j = 0; j <= block.mesh().rows; ++j) {
-        const double r = block.mesh().radius[i], z = j * block.mesh().row_height - centre, distance = std::hypot(r, z);
-        const double gap = std::max(0.0, 1 - distance), k = 3 * block.mass(i, j);
-        EXPECT_NEAR(block.far_forces().r[block.at(i, j)], gap > 0 ? k * gap * r / distance : 0, 1e-14) << kernels.level;
-        EXPECT_NEAR(block.far_forces().z[block.at(i, j)], gap > 0 ? k * gap * z / distance : 0, 1e-14) << kernels.level;
-        sum += block.far_forces().z[block.at(i, j)];
-        energy += 0.5 * k * gap * gap;
-        deepest = std::max(deepest, gap);
-      }
-    }
-    EXPECT_NEAR(report.force, sum, 1e-14);
-    EXPECT_NEAR(report.spring_energy, energy, 1e-14);
-    EXPECT_NEAR(report.largest_gap, deepest, 1e-14);
-    EXPECT_GT(energy, 0);
+    Block<double> block(problem, mesh_of(problem), kernels.twice->lanes);
+    block.view().touchable[block.at(1, 12)] = 0;
+    const auto& looked_at = std::as_const(block);
+    const auto inside =
+        nodes_by_hand(looked_at, [&](double r, double z) { return r * r + (z - centre) * (z - centre) < 1; });
+    EXPECT_GT(inside.size(), 10u);
+    EXPECT_EQ(nodes_found(looked_at, kernels.twice->lanes,
+                          [&](const ContactNodes& nodes, int* found) {
+                            return kernels.twice->nodes_in_sphere(looked_at.view(), nodes, centre, found);
+                          }),
+              inside)
+        << kernels.level;
+  }
+}
+
+TEST(Kernel, EveryLevelFindsTheNodesBehindAllSidesOfAPolygon) {
+  const Problem problem = small_problem(8.5);
+  const PolygonSide sides[] = {{1, 0, 0.8}, {-1, 0, 0.5}, {0.6, 0.8, 0.9}, {0, -1, 1.2}};
+  const double centre_x = 0.3, centre_z = 2.2;
+  for (const auto& kernels : kernels_here()) {
+    Block<double> block(problem, mesh_of(problem), kernels.twice->lanes);
+    const auto& looked_at = std::as_const(block);
+    const auto inside = nodes_by_hand(looked_at, [&](double x, double z) {
+      return std::ranges::all_of(sides, [&](const PolygonSide& side) {
+        return side.normal_x * (x - centre_x) + side.normal_z * (z - centre_z) < side.offset;
+      });
+    });
+    EXPECT_GT(inside.size(), 10u);
+    EXPECT_EQ(nodes_found(looked_at, kernels.twice->lanes,
+                          [&](const ContactNodes& nodes, int* found) {
+                            return kernels.twice->nodes_in_polygon(looked_at.view(), nodes, sides, 4, centre_x, centre_z,
+                                                                   found);
+                          }),
+              inside)
+        << kernels.level;
   }
 }
 

@@ -57,6 +57,7 @@ TEST(March, AShortEndTimeComesFirst) {
 TEST(March, AnElementThatTurnsInsideOutEndsTheRunAsUnstable) {
   Problem p = dent();
   p.alpha = 2;
+  p.pi4 = 30;
   p.hourglass = p.linear_viscosity = p.quadratic_viscosity = 0;
   p.time_step_factor = 1.2;
   const ImpactResult result = run_impact(p);
@@ -64,14 +65,11 @@ TEST(March, AnElementThatTurnsInsideOutEndsTheRunAsUnstable) {
   EXPECT_EQ(result.reason, "an element turned inside out");
 }
 
-// Contact five times as stiff as the default and no viscosity: near the stable step the scheme makes energy out of nothing.
+// Without viscosity, near and beyond the stable step, the scheme makes energy out of nothing.
 TEST(March, EnergyThatIsMadeIsNotPassedOffAsAResult) {
   Problem p = dent();
-  p.elements_per_radius = 4;
-  p.alpha = 5;
-  p.pi4 = 2;
-  p.rates = 1;
-  p.contact_stiffness = 3;
+  p.alpha = 2;
+  p.pi4 = 30;
   p.linear_viscosity = p.quadratic_viscosity = 0;
   p.end_time = 1000;
   int caught = 0;
@@ -79,7 +77,7 @@ TEST(March, EnergyThatIsMadeIsNotPassedOffAsAResult) {
     p.time_step_factor = factor;
     const ImpactResult result = run_impact(p);
     caught += result.reason == "energy was not conserved";
-    EXPECT_EQ(result.outcome == Outcome::unstable, !result.reason.empty()) << factor;
+    EXPECT_TRUE(result.outcome != Outcome::unstable || !result.reason.empty()) << factor;
     EXPECT_TRUE(result.outcome == Outcome::unstable || std::abs(result.energy.closure()) < 0.05) << factor;
   }
   EXPECT_GE(caught, 1);
@@ -89,22 +87,11 @@ TEST(March, AFixedBottomStopsWhatAFreeOneLetsThrough) {
   Problem p = dent();
   p.alpha = 8.5;
   p.depth = 2;
-  p.contact_stiffness = 20;  // or the sphere meets the held nodes of the bottom with springs that let them in
   p.time_step_factor = 0.5;
   p.end_time = 1000;
   EXPECT_EQ(run_impact(p).outcome, Outcome::passed_through);
   p.bottom = Bottom::fixed;
   EXPECT_EQ(run_impact(p).outcome, Outcome::stopped);
-}
-
-TEST(March, ANodeFarInsideTheSphereIsNoContactAnyMore) {
-  Problem p = dent();
-  p.alpha = 8.5;
-  p.contact_stiffness = 0.002;
-  p.end_time = 1000;
-  const ImpactResult result = run_impact(p);
-  EXPECT_EQ(result.outcome, Outcome::unstable);
-  EXPECT_THAT(result.reason, testing::HasSubstr("contact springs are too soft"));
 }
 
 TEST(March, ABottomFarBelowChangesNoBit) {
@@ -123,11 +110,11 @@ TEST(March, WithoutErosionAllElementsStay) {
   EXPECT_EQ(result.eroded, 0);
   EXPECT_EQ(result.energy.eroded, 0);
   EXPECT_EQ(result.energy.freed_mass, 0);
-  EXPECT_EQ(result.energy.contact_dropped, 0);
 }
 
 TEST(March, AnErosionStrainOutOfReachChangesNoBit) {
   Problem p = dent();
+  p.rates = 1;
   const ImpactResult without = run_impact(p);
   p.erosion = StrainErosion{100};
   same_bits(run_impact(p), without);
@@ -138,7 +125,6 @@ TEST(March, ElementsTakenOutForTheirDistortionAreCountedApart) {
   Problem p = setting_s(5);
   p.alpha = -6;
   p.pi4 = 20;
-  p.contact_stiffness = 4;
   p.end_time = 20;
   p.erosion = StrainErosion{100};
   const ImpactResult result = run_impact(p);
@@ -163,28 +149,6 @@ TEST(March, EachStrainMeasureAtTheSameStretchGivesTheSameBits) {
   same_bits(run_impact(p), engineering);
   p.erosion = StrainErosion{0.5, StrainMeasure::true_strain};
   EXPECT_NE(run_impact(p).depth, engineering.depth);
-}
-
-TEST(March, StifferContactLetsNodesLessDeepIntoTheSphere) {
-  double last = 1e9;
-  for (const double kappa : {0.05, 0.156, 0.6, 2.4}) {
-    Problem p = dent();
-    p.contact_stiffness = kappa;
-    const double gap = run_impact(p).largest_gap;
-    EXPECT_LT(gap, 0.8 * last) << kappa;
-    EXPECT_GT(gap, 0);
-    last = gap;
-  }
-}
-
-// Springs tied to the step taken would be three times as stiff at three eighths of it, and ten times at ten times K.
-TEST(March, NeitherBulkModulusNorStepStiffensContact) {
-  Problem p = dent();
-  const double before = run_impact(p).largest_gap;
-  p.time_step_factor = 0.3;
-  EXPECT_NEAR(run_impact(p).largest_gap, before, 0.25 * before);
-  p.bulk_ratio = 500;
-  EXPECT_NEAR(run_impact(p).largest_gap, before, 0.25 * before);
 }
 
 TEST(March, TheDepthFallsWithTheModulus) {
@@ -240,8 +204,8 @@ TEST(History, TheForcesImpulseIsTheSpeedLost) {
   Problem p = dent();
   p.history_samples = 100000;
   const ImpactResult result = run_impact(p);
-  const double impulse = impulse_of(result.history);
-  EXPECT_NEAR(impulse, 2.0 / 3 * 16.8 * (1 - result.end_speed), 1e-3 * impulse);
+  EXPECT_LT(result.end_speed, 0.95);
+  expect_that_the_force_slows_it(result.history, 2.0 / 3 * 16.8);
 }
 
 TEST(Outcome, HasAWordThatReadsBack) {

@@ -21,7 +21,6 @@ void mirrored_bits(const ImpactResult& one, const ImpactResult& other) {
   EXPECT_EQ(one.eroded, other.eroded);
   EXPECT_EQ(one.smallest_jacobian, other.smallest_jacobian);
   EXPECT_EQ(one.smallest_step, other.smallest_step);
-  EXPECT_EQ(one.largest_gap, other.largest_gap);
   EXPECT_EQ(one.energy.particle, other.energy.particle);
 }
 

@@ -32,10 +32,8 @@ class PlainMarch {
  public:
   explicit PlainMarch(const Problem& problem)
       : problem_(problem),
-        reference_step_(undeformed_step(least_bulk_ratio * problem.mu())),
         first_step_(undeformed_step(problem.bulk())),
-        block_(problem, mesh_of(problem), problem.contact_stiffness / (reference_step_ * reference_step_),
-               kernel<double>().lanes),
+        block_(problem, mesh_of(problem), kernel<double>().lanes),
         last_stretch2_(static_cast<std::size_t>(block_.mesh().columns()) * block_.view().stride, 1.0),
         speed_(problem.speed_factor),
         mass_(2.0 / 3 * problem.density_ratio) {
@@ -52,21 +50,15 @@ class PlainMarch {
     for (;;) {
       erode();
       const auto forces = all_internal_forces(kernel<double>(), block_, material_, last);
-      ContactReport contact;
-      for (int i = 0; i <= mesh.columns(); ++i)
-        kernel<double>().sphere_contact(std::as_const(block_).view(), block_.far_forces(),
-                                        {i, mesh.radius[i], mesh.row_height, rows}, tip_ - 1, contact);
       const bool done = time >= problem_.end_time;
       double step = problem_.time_step_factor / std::max(forces.largest_inverse_step, 1 / first_step_);
-      const double of_contact = 2 * reference_step_ / std::sqrt(problem_.contact_stiffness);
-      step /= std::sqrt(1 + step * step / (of_contact * of_contact));
       if (last > 0) step = std::min(step, step_growth * last);
       const double kick = 0.5 * (last + (done ? 0 : step)), drift = done ? 0 : step;
       for (int i = 0; i < mesh.columns(); ++i)
         kernel<double>().kick_and_drift(block_.view(), block_.far_forces(), i, rows, i == 0, kick, drift);
-      speed_ -= contact.force / mass_ * kick;
+      if (done) return stay_together();
+      keep_nodes_out(drift);
       tip_ += speed_ * drift;
-      if (done) return;
       time += drift;
       last = drift;
     }
@@ -82,6 +74,59 @@ class PlainMarch {
     return 1 / std::sqrt((bulk + 4.0 / 3 * problem_.mu()) * (1 / (width * width) + 1 / (height * height)));
   }
 
+  // One node that has to part from the sphere along (x, z), of length 1 but on the axis, at `rate`, over what it does now.
+  struct Touching {
+    long node;
+    double mass, rate, x, z;
+    double heavy() const { return mass / (x * x + z * z); }
+  };
+
+  // The least impulses that do it, and the sphere as much in all: who needs none once it has slowed down is struck off.
+  void part(double drift) {
+    double slower = 0;
+    for (bool found = true; found;) {
+      double sum = 0, mass = mass_;
+      for (const Touching& node : touching_) {
+        sum += node.heavy() * node.z * node.rate;
+        mass += node.heavy() * node.z * node.z;
+      }
+      slower = sum / mass;
+      found = std::erase_if(touching_, [&](const Touching& node) { return node.rate <= slower * node.z; }) > 0;
+    }
+    const auto& view = block_.view();
+    for (const Touching& node : touching_) {
+      const double faster = (node.rate - slower * node.z) * node.heavy() / node.mass;
+      view.v_r[node.node] += faster * node.x;
+      view.v_z[node.node] += faster * node.z;
+      view.u_r[node.node] += faster * node.x * drift;
+      view.u_z[node.node] += faster * node.z * drift;
+    }
+    speed_ -= slower;
+  }
+
+  // Nodes that this step would leave inside the sphere are kept at its surface.
+  void keep_nodes_out(double drift) {
+    touching_.clear();
+    const double centre = tip_ - 1 + speed_ * drift;
+    for (int i = 0; i <= block_.mesh().columns(); ++i)
+      for (int j = 0; j <= block_.mesh().rows; ++j) {
+        const long n = block_.at(i, j);
+        const double x = block_.mesh().radius[i] + block_.view().u_r[n];
+        const double z = j * block_.mesh().row_height + block_.view().u_z[n] - centre, distance = std::hypot(x, z);
+        if (distance < 1 && block_.view().touchable[n] > 0)
+          touching_.push_back({n, block_.mass(i, j), (1 - distance) / drift, i == 0 ? 0 : x / distance, z / distance});
+      }
+    part(drift);
+  }
+
+  // Half a kick alone has moved velocities: nodes that pushed in the last step stay with the sphere.
+  void stay_together() {
+    for (Touching& node : touching_)
+      node.rate = node.z * speed_ - node.x * block_.view().v_r[node.node] - node.z * block_.view().v_z[node.node];
+    std::erase_if(touching_, [&](const Touching& node) { return !(block_.view().touchable[node.node] > 0); });
+    part(0);
+  }
+
   // An element goes when its largest stretch would pass the limit within the next half step, at the pace of the last one.
   void erode() {
     const auto* erosion = std::get_if<StrainErosion>(&problem_.erosion);
@@ -93,15 +138,16 @@ class PlainMarch {
         const double now = largest_squared_stretch(block_, i, j), before = last_stretch2_[block_.at(i, j)];
         last_stretch2_[block_.at(i, j)] = now;
         if (now + (now - before) / 2 <= limit * limit) continue;
-        block_.take_out(i, j, false, [](int, int) {});
+        block_.take_out(i, j, false);
         ++eroded_;
       }
   }
 
   const Problem problem_;
-  const double reference_step_, first_step_;
+  const double first_step_;
   Block<double> block_;
   std::vector<double> last_stretch2_;
+  std::vector<Touching> touching_;  // of the last step
   MaterialConstants material_;
   double speed_, mass_, tip_ = 0;
   long eroded_ = 0;

@@ -166,7 +166,6 @@ TEST(Relaxation, TheEnergyOfARunClosesWithOneRateAndWithTwo) {
 TEST(Relaxation, ErodedElementsTakeNothingUnseen) {
   Problem p = setting_s(7);
   p.arithmetic = Arithmetic::double_precision;
-  p.contact_stiffness = 0.156;
   p.relaxation = PronySeries{{{0.5, 0.5}}};
   p.depth = 40;
   p.end_time = 4;
@@ -183,8 +182,7 @@ TEST(Relaxation, ARunWithVerySlowOrVeryFastRelaxationIsTheElasticOne) {
   Problem soft = p;
   soft.pi4 = p.pi4 / 0.4;
   soft.bulk_ratio = p.bulk_ratio / 0.4;
-  soft.hourglass = p.hourglass / 0.4;                  // springs keep the instantaneous modulus
-  soft.contact_stiffness = p.contact_stiffness / 0.4;  // and so does the contact
+  soft.hourglass = p.hourglass / 0.4;  // springs keep the instantaneous modulus
   const double lasting = run_impact(soft).energy.particle;
   EXPECT_GT(lasting - instantaneous, 0.005);
   EXPECT_NEAR(run_impact(relaxing_dent(1e7)).energy.particle, instantaneous, 1e-5);

@@ -45,7 +45,7 @@ TEST(RunSize, HasTheMemoryOfTheBlock) {
   p.pi4 = 1;
   for (const int rates : {1, 2}) {
     p.rates = rates;
-    const Block<float> block(p, mesh_of(p), 1, 8);
+    const Block<float> block(p, mesh_of(p), 8);
     EXPECT_NEAR(size_of(p).bytes, static_cast<double>(block.bytes()), 0.1 * size_of(p).bytes) << "but for padding";
   }
 }

@@ -30,7 +30,7 @@ class Specimen {
  public:
   explicit Specimen(const Problem& problem)
       : kernel_(percal::kernel<Real>()),
-        block(problem, mesh_of(problem), 1, kernel_.lanes),
+        block(problem, mesh_of(problem), kernel_.lanes),
         solid(problem, block.layers()),
         view_(solid.view(block)) {}
 

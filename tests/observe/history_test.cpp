@@ -18,7 +18,7 @@ constexpr double pressure = 1200 * 1e4;  // rho_t v^2, Pa
 
 const std::string energies =
     "energy_particle,energy_particle_elastic,energy_live_kinetic,energy_freed_mass,energy_elastic,energy_hourglass,"
-    "energy_viscosity,energy_relaxation,energy_eroded,energy_contact,energy_contact_dropped,energy_sum";
+    "energy_viscosity,energy_relaxation,energy_eroded,energy_collisions,energy_sum";
 
 Problem in_plane_strain(bool whole) {
   Problem problem;

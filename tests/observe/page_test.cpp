@@ -167,7 +167,6 @@ TEST_F(ImpactPage, StacksTheEnergyLedgerOverTime) {
   ASSERT_NE(elastic, nullptr);
   EXPECT_THAT(elastic->low, ElementsAre(1, 0.4, 0));
   EXPECT_THAT(elastic->high, ElementsAre(1, testing::DoubleEq(0.6), 0.25));
-  EXPECT_EQ(series_of(*figure, "contact springs"), nullptr);  // never there
   EXPECT_THAT(figure->caption, HasSubstr("within 0.5 %"));
   ASSERT_NE(figure_of(whole, "tip_over_time"), nullptr);
   EXPECT_THAT(figure_of(whole, "tip_over_time")->chart.series[0].y,

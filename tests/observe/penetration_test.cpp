@@ -30,9 +30,7 @@ Penetration of(const std::vector<Evaluation>& runs) {
 }
 
 std::vector<std::string> told(const std::vector<Evaluation>& runs) {
-  Problem problem;
-  problem.elements_per_radius = 8;
-  return warnings(of(runs), runs, problem);
+  return warnings(of(runs), runs);
 }
 
 TEST(Penetration, IsTheMeanOfTheReplicatesWithTheirSampleDeviation) {
@@ -101,16 +99,16 @@ TEST(Penetration, EnergySharesAreMeansAndTheWorstClosureIsKept) {
 
 TEST(Penetration, ARunWithoutAStepHasNoEnergyErrorToTellOf) { EXPECT_EQ(of({Evaluation{}}).worst_closure, 0); }
 
-TEST(Warnings, SpringsAndViscosityAboveAQuarterOfTheEnergyAreTold) {
+TEST(Warnings, CollisionsAndViscosityAboveHalfOfTheEnergyAreTold) {
   Evaluation run = ended(Outcome::stopped, 25);
-  run.result.energy = {.elastic = 0.76, .viscosity = 0.14, .contact_dropped = 0.10};
+  run.result.energy = {.elastic = 0.51, .viscosity = 0.3, .collisions = 0.19};
   EXPECT_THAT(told(std::vector{run}), IsEmpty());
-  run.result.energy = {.elastic = 0.74, .viscosity = 0.14, .contact_dropped = 0.12};
+  run.result.energy = {.elastic = 0.48, .viscosity = 0.3, .collisions = 0.22};
   const auto lines = told(std::vector{run});
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_THAT(lines[0], HasSubstr("(12 %)"));
-  EXPECT_THAT(lines[0], HasSubstr("(14 %)"));
-  EXPECT_THAT(lines[0], HasSubstr("more than a quarter"));
+  EXPECT_THAT(lines[0], HasSubstr("(22 %)"));
+  EXPECT_THAT(lines[0], HasSubstr("(30 %)"));
+  EXPECT_THAT(lines[0], HasSubstr("more than half"));
 }
 
 TEST(Warnings, MixedOutcomesAreListedOneByOne) {
@@ -121,23 +119,20 @@ TEST(Warnings, MixedOutcomesAreListedOneByOne) {
   EXPECT_THAT(lines[0], HasSubstr("not averaged"));
 }
 
-TEST(Warnings, NodesFarInsideTheSphereAreTold) {
-  Evaluation run = ended(Outcome::stopped, 25);
-  run.result.largest_gap = 1.9;  // elements of an eighth of a radius
+TEST(Warnings, ATimeThatIsUpForAReasonIsTold) {
+  Evaluation run = ended(Outcome::time_up, 3);
   EXPECT_THAT(told({run}), IsEmpty());
-  run.result.largest_gap = 4;
-  const auto lines = told({ended(Outcome::stopped, 25), run, ended(Outcome::stopped, 25)});
-  ASSERT_EQ(lines.size(), 1u);
-  EXPECT_THAT(lines[0], HasSubstr("0.5 radii inside the sphere"));
+  run.result.reason = "the time step collapsed";
+  EXPECT_THAT(told({run}), ElementsAre("time up: the time step collapsed"));
 }
 
 TEST(Warnings, UnstableRunsAndDistortedElementsAreNamed) {
   Evaluation run = ended(Outcome::unstable, 3);
-  run.result.reason = "the time step collapsed";
+  run.result.reason = "a force is not finite";
   run.result.distorted = 12;
   const auto lines = told(std::vector{run});
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0], "unstable: the time step collapsed");
+  EXPECT_EQ(lines[0], "unstable: a force is not finite");
   EXPECT_THAT(lines[1], HasSubstr("12 elements"));
 }
 

@@ -28,7 +28,7 @@ Evaluation awkward() {
   r.distorted = 3;
   r.smallest_jacobian = std::nextafter(1.0, 0);
   r.smallest_step = 5e-324;
-  r.largest_gap = 1e300 / 7;
+  r.end_time = 1e300 / 7;
   r.energy = {.particle = 1 / 3.0,
               .particle_elastic = 1 / 5.0,
               .live_kinetic = 1 / 7.0,
@@ -38,8 +38,7 @@ Evaluation awkward() {
               .viscosity = 1 / 19.0,
               .relaxation = 1 / 47.0,
               .eroded = 1 / 23.0,
-              .contact = 1 / 29.0,
-              .contact_dropped = 1 / 31.0};
+              .collisions = 1 / 31.0};
   run.instruction_level = "x86_64_v3";
   run.wall_seconds = 0.1;
   run.cpu_seconds = 1 / 9.0;
@@ -58,7 +57,7 @@ TEST(Payload, ComesBackToTheLastBit) {
   for (double ImpactResult::*number :
        {&ImpactResult::depth, &ImpactResult::end_time, &ImpactResult::end_speed, &ImpactResult::sideways,
         &ImpactResult::turn, &ImpactResult::target_momentum, &ImpactResult::element_steps,
-        &ImpactResult::smallest_jacobian, &ImpactResult::smallest_step, &ImpactResult::largest_gap})
+        &ImpactResult::smallest_jacobian, &ImpactResult::smallest_step})
     EXPECT_EQ(a.*number, b.*number);
   for (const auto& [key, share, words] : energy_terms) EXPECT_EQ(a.energy.*share, b.energy.*share) << key;
   EXPECT_EQ(before.instruction_level, after.instruction_level);
@@ -78,9 +77,9 @@ TEST(Payload, HasTheFormatOfEarlierStores) {
   EXPECT_EQ(
       to_payload(run),
       R"({"cpu_s":0.0,"depth":27.5,"distorted":0,"element_steps":0.0,"elements":0,"end_speed":0.0,"end_time":0.0,)"
-      R"("energy":{"contact":0.0,"contact_dropped":0.0,"elastic":0.0,"eroded":0.75,"freed_mass":0.0,)"
+      R"("energy":{"collisions":0.0,"elastic":0.0,"eroded":0.75,"freed_mass":0.0,)"
       R"("hourglass":0.0,"live_kinetic":0.0,"particle":0.0,"particle_elastic":0.0,"relaxation":0.0,"sum":0.75,)"
-      R"("viscosity":0.0},"eroded":0,"largest_gap":0.0,"level":"x86_64_v3","outcome":"stopped","reason":"",)"
+      R"("viscosity":0.0},"eroded":0,"level":"x86_64_v3","outcome":"stopped","reason":"",)"
       R"("sideways":0.0,"smallest_jacobian":1.0,"smallest_step":0.0,"steps":0,"target_momentum":0.0,"turn":0.0,)"
       R"("wall_s":0.0})");
 }
@@ -127,7 +126,7 @@ TEST(EnergyJson, HasEveryTermAndTheSum) {
   for (const auto& [key, share] : json.items())
     if (key != "sum") sum += share.get<double>();
   EXPECT_NEAR(json.at("sum"), sum, 1e-15);
-  EXPECT_EQ(json.at("contact_dropped"), 1 / 31.0);
+  EXPECT_EQ(json.at("collisions"), 1 / 31.0);
 }
 
 }  // namespace

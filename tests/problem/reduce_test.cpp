@@ -242,5 +242,13 @@ TEST(LeftOut, ErosionAndHistoryAreListedOnlyWhereTheyAreNotAskedFor) {
   EXPECT_GT(reduce(scene).problem.history_samples, 0);
 }
 
+TEST(Reduce, AContactStiffnessIsToldToHaveNoEffect) {
+  Scene scene = skin_scene();
+  const std::string key = key_of(scene);
+  scene.solver.contact_stiffness_was_given = true;
+  EXPECT_THAT(reduce(scene).warnings, ElementsAre("contact_stiffness has no effect: contact has no springs any more"));
+  EXPECT_EQ(key_of(scene), key);
+}
+
 }  // namespace
 }  // namespace percal

@@ -46,6 +46,23 @@ TEST(SceneToml, TheShortestSceneHasTheDefaults) {
   EXPECT_EQ(scene.replicates, usual_replicates);
 }
 
+TEST(SceneToml, HourglassDefaultsToWhatItsFormNeeds) {
+  const auto hourglass = [](const std::string& lines) {
+    return parse_scene(particle + target + "[solver]\n" + lines, "scene.toml").solver.hourglass;
+  };
+  EXPECT_EQ(hourglass(""), 0.5);
+  EXPECT_EQ(hourglass("hourglass_form = \"viscosity\""), 0.02);
+  EXPECT_EQ(hourglass("hourglass = 0.1\nhourglass_form = \"viscosity\""), 0.1);
+}
+
+// Scenes of a time when contact had springs are still read, and say that they are.
+TEST(SceneToml, AContactStiffnessIsReadAndNotWrittenAgain) {
+  const Scene scene = parse_scene(particle + target + "[solver]\ncontact_stiffness = 0.6\n", "scene.toml");
+  EXPECT_TRUE(scene.solver.contact_stiffness_was_given);
+  EXPECT_EQ(scene_to_toml(scene, "").find("contact_stiffness"), std::string::npos);
+  EXPECT_FALSE(parse_scene(particle + target, "scene.toml").solver.contact_stiffness_was_given);
+}
+
 TEST(SceneToml, EveryKeyIsRead) {
   const Scene scene = parse_scene(
       "replicates = 7\n[particle]\nshape = \"sphere\"\nname = \"gold\"\nradius = \"1 um\"\ndensity = \"16.8 "
@@ -54,8 +71,7 @@ TEST(SceneToml, EveryKeyIsRead) {
       "= \"mu/alpha\"\n"
       "alpha = -9\nnu = 0.49\ndepth = \"75 um\"\nwidth = \"5 um\"\nbottom = \"fixed\"\n[target.erosion]\nstrain = "
       "0.7\nmeasure = \"green-lagrange\"\n"
-      "[mesh]\nelements_per_radius = 14.25\nfine_width = 2\ngraded_columns = 7\n[solver]\ncontact_stiffness = "
-      "0.156\nhourglass = 0.1\n"
+      "[mesh]\nelements_per_radius = 14.25\nfine_width = 2\ngraded_columns = 7\n[solver]\nhourglass = 0.1\n"
       "linear_viscosity = 0\nquadratic_viscosity = 0.5\ntime_step_factor = 1\narithmetic = \"double\"\nend_time = \"3 "
       "us\"\n[output]\nhistory = true\n",
       "scene.toml");
@@ -74,8 +90,7 @@ TEST(SceneToml, EveryKeyIsRead) {
                      .bottom = Bottom::fixed,
                      .erosion = StrainErosion{0.7, StrainMeasure::green_lagrange}};
   expected.mesh = {.elements_per_radius = 14.25, .fine_width = 2, .graded_columns = 7};
-  expected.solver = {.contact_stiffness = 0.156,
-                     .hourglass = 0.1,
+  expected.solver = {.hourglass = 0.1,
                      .linear_viscosity = 0,
                      .quadratic_viscosity = 0.5,
                      .time_step_factor = 1,
@@ -218,8 +233,7 @@ Scene random_scene(std::mt19937_64& random) {
   scene.mesh.elements_per_radius = 1 + 999 * number(-10, 0);
   scene.mesh.fine_width = number(-10, 0);
   if (coin()) scene.mesh.graded_columns = 1 + static_cast<int>(random() % 100);
-  scene.solver = {.contact_stiffness = number(-10, 10),
-                  .hourglass = number(-60, 60),
+  scene.solver = {.hourglass = number(-60, 60),
                   .linear_viscosity = coin() ? 0 : number(-60, 60),
                   .quadratic_viscosity = number(-60, 60),
                   .time_step_factor = number(-10, 0.2),

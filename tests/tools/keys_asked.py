@@ -18,8 +18,8 @@ HELPERS = ("share|choice|angle|column_of|column_index|share_from|optional_share_
 LITERALS = [re.compile(rf'(?:\.|->)(?:{GETTERS})\(\s*"([^"]+)"'),
             re.compile(rf'\b(?:{HELPERS})\((?:\*?\w+,\s*)?"([^"]+)"'),
             re.compile(r'\{"([a-z_]+)",\s*(?:dimension::|"[^"]*",\s*"[^"]*",\s*dimension::|"[^"]*",\s*"[^"]*",\s*Dimension)')]
-# Cells of CSV tables, the columns of vertices and of curves; and the older spelling of hypotheses.
-NOT_KEYS = {"x", "y", "readings"}
+# Cells of CSV tables, the columns of vertices and of curves; the older spelling of hypotheses; what older scenes have.
+NOT_KEYS = {"x", "y", "readings", "contact_stiffness"}
 
 
 def literals(root):

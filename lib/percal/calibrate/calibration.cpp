@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/hypothesis_fit.hpp"
@@ -24,20 +23,6 @@ constexpr int plausible_for_each = 10;      // points of parameter space a round
 constexpr double temperature = 1.5;         // a little wider than the data allow
 constexpr int most_checks = 2;              // of the best points
 constexpr std::size_t most_targets = 160, most_candidates = 160;
-
-// Hypotheses that share the solver's setting share an emulator.
-std::vector<std::vector<int>> settings_of(const CalibrationJob& job) {
-  std::map<double, std::vector<int>> by_stiffness;
-  std::vector<double> order;
-  for (std::size_t r = 0; r < job.hypotheses.size(); ++r) {
-    const double stiffness = job.hypotheses[r].contact_stiffness;
-    if (!by_stiffness.contains(stiffness)) order.push_back(stiffness);
-    by_stiffness[stiffness].push_back(static_cast<int>(r));
-  }
-  std::vector<std::vector<int>> settings;
-  for (double stiffness : order) settings.push_back(by_stiffness[stiffness]);
-  return settings;
-}
 
 template <class T>
 std::vector<T> evenly(const std::vector<T>& all, std::size_t most) {
@@ -62,7 +47,7 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
       targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
       const auto drawn = static_cast<int>(candidates.size());
       const auto on_mesh = [&](double mesh) {
-        return shot_problem(job, read, shot, material, drawn_mesh(mesh, seed, drawn));
+        return shot_problem(job, shot, material, drawn_mesh(mesh, seed, drawn));
       };
       candidates.push_back({on_mesh(job.training.coarse), on_mesh(job.training.fine)});
     }
@@ -70,9 +55,11 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
 }
 
 struct Trained {
-  std::vector<JobFit> fits;  // of the setting's hypotheses; none where too many runs failed
+  std::vector<JobFit> fits;  // of the hypotheses; none where too many runs failed
   std::string why;           // no more runs
 };
+
+int count_of(const std::vector<Hypothesis>& hypotheses) { return static_cast<int>(hypotheses.size()); }
 
 double element_size(const CalibrationJob& job) { return 1.0 / job.training.verify; }
 
@@ -88,31 +75,29 @@ std::string why_enough(const CalibrationJob& job, const Training& training, cons
 
 // The best points of all hypotheses are run anew on the verifying mesh. Where the runs lie further from the emulator than it says, it
 // learns from them, and says true.
-bool best_points_hold(const CalibrationJob& job, const std::vector<int>& hypotheses, const std::vector<JobFit>& fits,
-                      Training& training, Campaign& campaign, const Announce& announce) {
+bool best_points_hold(const CalibrationJob& job, const std::vector<JobFit>& fits, Training& training,
+                      Campaign& campaign, const Announce& announce) {
   std::vector<Problem> problems;
   double worst = 0;
-  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
-    const JobModel model =
-        finite_element_model(job, job.hypotheses[hypotheses[k]], training.emulator(), element_size(job));
-    worst = std::max(worst, spread(fresh_runs(job, hypotheses[k], model, fits[k], training.emulator(), campaign)));
-    for (const Problem& problem : fresh_problems(job, hypotheses[k], model, fits[k]))
+  for (int k = 0; k < count_of(job.hypotheses); ++k) {
+    const JobModel model = finite_element_model(job, job.hypotheses[k], training.emulator(), element_size(job));
+    worst = std::max(worst, spread(fresh_runs(job, k, model, fits[k], training.emulator(), campaign)));
+    for (const Problem& problem : fresh_problems(job, k, model, fits[k]))
       for (Problem& run : replicates_of(problem, job.training.verify_replicates)) problems.push_back(std::move(run));
   }
-  announce(fmt::format("{}: fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
-                       training.report().setting, worst));
+  announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it", worst));
   if (worst <= trusted_spread) return true;
   training.add_runs(problems);
   return false;
 }
 
 // Rounds of fitting and running until the emulator is surer than the data, in all the hypotheses.
-Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Training& training, Campaign& campaign,
-              const CalibrationLimits& limits, const Announce& announce) {
+Trained train(const CalibrationJob& job, Training& training, Campaign& campaign, const CalibrationLimits& limits,
+              const Announce& announce) {
   training.fill_space();
   int checks = 0;
   Trained trained;
-  std::vector<std::optional<VectorXd>> starts(hypotheses.size());
+  std::vector<std::optional<VectorXd>> starts(job.hypotheses.size());
   for (int round = 0;; ++round) {
     trained.fits.clear();
     if (training.failures() || !training.has_emulator()) {
@@ -123,9 +108,8 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
     std::vector<Training::Target> targets;
     std::vector<Training::Candidate> candidates;
     double worst = 0, emulator = 0, data = 0;
-    for (std::size_t k = 0; k < hypotheses.size(); ++k) {
-      const JobModel model =
-          finite_element_model(job, job.hypotheses[hypotheses[k]], training.emulator(), element_size(job));
+    for (int k = 0; k < count_of(job.hypotheses); ++k) {
+      const JobModel model = finite_element_model(job, job.hypotheses[k], training.emulator(), element_size(job));
       JobFit fit = fit_job(job, model, used_shots(job), quick_search(), starts[k]);
       if (round % 3 != 2)
         starts[k] = fit.at;  // now and then from everywhere
@@ -137,7 +121,7 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
         emulator = sizes.emulator;
         data = sizes.data;
       }
-      add_targets(job, hypotheses[k], model, fit, job.training.seed + static_cast<unsigned>(round), targets,
+      add_targets(job, k, model, fit, job.training.seed + static_cast<unsigned>(round), targets,
                   candidates);
       trained.fits.push_back(std::move(fit));
     }
@@ -145,12 +129,12 @@ Trained train(const CalibrationJob& job, const std::vector<int>& hypotheses, Tra
     report.error_at_optimum = emulator;
     report.data_error = data;
     if (!report.rounds.empty()) report.rounds.back().error = emulator;
-    announce(fmt::format("{}: {} runs, emulator's error at the optimum {:.2g} %, data's {:.2g} %", report.setting,
+    announce(fmt::format("{} runs, emulator's error at the optimum {:.2g} %, data's {:.2g} %",
                          training.emulator().runs().size(), 100 * emulator, 100 * data));
     trained.why = why_enough(job, training, limits, worst);
     if (!trained.why.empty()) {
       if (limits.spent(share_for_training) || checks++ == most_checks ||
-          best_points_hold(job, hypotheses, trained.fits, training, campaign, announce))
+          best_points_hold(job, trained.fits, training, campaign, announce))
         return trained;
       continue;
     }
@@ -177,44 +161,41 @@ void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::ve
   if (count > 0) result.fresh_deviation /= count;
 }
 
-// Every hypothesis of a setting, side by side; then its fresh runs, which have all the threads.
-void read_all(const CalibrationJob& job, const std::vector<int>& hypotheses, const Emulator& emulator,
-              Campaign& campaign, const CalibrationLimits& limits, const Announce& announce,
-              std::vector<HypothesisResult>& results) {
-  std::vector<JobModel> models(hypotheses.size());
-  std::vector<JobFit> fits(hypotheses.size());
-  campaign.side_by_side(static_cast<int>(hypotheses.size()), [&](int k) {
-    const Hypothesis& hypothesis = job.hypotheses[hypotheses[k]];
+// Every hypothesis, side by side; then its fresh runs, which have all the threads.
+std::vector<HypothesisResult> read_all(const CalibrationJob& job, const Emulator& emulator, Campaign& campaign,
+                                       const CalibrationLimits& limits, const Announce& announce) {
+  std::vector<JobModel> models(job.hypotheses.size());
+  std::vector<JobFit> fits(job.hypotheses.size());
+  std::vector<HypothesisResult> results(job.hypotheses.size());
+  campaign.side_by_side(count_of(job.hypotheses), [&](int k) {
+    const Hypothesis& hypothesis = job.hypotheses[k];
     models[k] = finite_element_model(job, hypothesis, emulator, element_size(job));
     fits[k] = fit_job(job, models[k], used_shots(job), thorough_search());
     const JobModel without_mesh = finite_element_model(job, hypothesis, emulator, 0);
-    results[hypotheses[k]] = read_out(job, hypotheses[k], models[k], without_mesh, fits[k], limits);
+    results[k] = read_out(job, k, models[k], without_mesh, fits[k], limits);
   });
-  for (std::size_t k = 0; k < hypotheses.size(); ++k) {
-    HypothesisResult& result = results[hypotheses[k]];
-    announce(fmt::format("\"{}\" is fitted", job.hypotheses[hypotheses[k]].name));
+  for (int k = 0; k < count_of(job.hypotheses); ++k) {
+    HypothesisResult& result = results[k];
+    announce(fmt::format("\"{}\" is fitted", job.hypotheses[k].name));
     if (limits.spent()) {
       result.findings.push_back("Not checked by fresh runs: the budget was spent.");
       continue;
     }
-    add_fresh_runs(job, result, fresh_runs(job, hypotheses[k], models[k], fits[k], emulator, campaign));
+    add_fresh_runs(job, result, fresh_runs(job, k, models[k], fits[k], emulator, campaign));
   }
+  return results;
 }
 
 // How the error at the optimum fell with the time spent, carried on: error ~ 1/sqrt(runs).
-std::string what_more_time_buys(const std::vector<EmulatorReport>& reports) {
-  for (const EmulatorReport& report : reports) {
-    if (report.rounds.empty() || report.error_at_optimum <= 0) continue;
-    const auto& last = report.rounds.back();
-    const double total = std::hypot(report.error_at_optimum, report.data_error);
-    const double better = std::hypot(report.error_at_optimum / std::sqrt(2.0), report.data_error);
-    return fmt::format(
-        "Twice the runs ({:.0f} s more of processor time) would bring the emulator's error from {:.2g} to about {:.2g} "
-        "%; beside the data's {:.2g} % that makes intervals {:.2g} % narrower.",
-        last.cpu_seconds, 100 * report.error_at_optimum, 100 * report.error_at_optimum / std::sqrt(2.0),
-        100 * report.data_error, 100 * (1 - better / total));
-  }
-  return "";
+std::string what_more_time_buys(const EmulatorReport& report) {
+  if (report.rounds.empty() || report.error_at_optimum <= 0) return "";
+  const double total = std::hypot(report.error_at_optimum, report.data_error);
+  const double better = std::hypot(report.error_at_optimum / std::sqrt(2.0), report.data_error);
+  return fmt::format(
+      "Twice the runs ({:.0f} s more of processor time) would bring the emulator's error from {:.2g} to about {:.2g} "
+      "%; beside the data's {:.2g} % that makes intervals {:.2g} % narrower.",
+      report.rounds.back().cpu_seconds, 100 * report.error_at_optimum, 100 * report.error_at_optimum / std::sqrt(2.0),
+      100 * report.data_error, 100 * (1 - better / total));
 }
 
 }  // namespace
@@ -223,22 +204,15 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
                             const CalibrationLimits& limits, const Announce& announce) {
   largest_run(job);  // throws where it cannot be run
   CalibrationResult result;
-  result.hypotheses.resize(job.hypotheses.size());
-  bool complete = true;
-  for (const auto& hypotheses : settings_of(job)) {
-    Training training(job, hypotheses, &store, campaign, limits);
-    const Trained trained = train(job, hypotheses, training, campaign, limits, announce);
-    training.report().stopped = trained.why;
-    if (training.has_emulator()) finish_report(training.report(), training.emulator());
-    result.emulators.push_back(training.report());
-    if (trained.fits.empty()) {
-      result.findings.push_back(training.report().setting + ": " + trained.why + ".");
-      complete = false;
-      continue;
-    }
-    read_all(job, hypotheses, training.emulator(), campaign, limits, announce, result.hypotheses);
-  }
-  if (!complete) result.hypotheses.clear();
+  Training training(job, &store, campaign, limits);
+  const Trained trained = train(job, training, campaign, limits, announce);
+  training.report().stopped = trained.why;
+  if (training.has_emulator()) finish_report(training.report(), training.emulator());
+  result.emulator = training.report();
+  if (trained.fits.empty())
+    result.findings.push_back("No hypothesis was fitted: " + trained.why + ".");
+  else
+    result.hypotheses = read_all(job, training.emulator(), campaign, limits, announce);
   if (job.dehn && !used_shots(job).empty()) result.dehn = fit_dehn(job);
   const auto findings = overall_findings(job, result);
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());
@@ -248,7 +222,7 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
   result.cost.cpu_seconds = cost.cpu_seconds;
   result.cost.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - limits.start).count();
   result.cost.budget_seconds = limits.budget_seconds;
-  result.cost.advice = what_more_time_buys(result.emulators);
+  result.cost.advice = what_more_time_buys(result.emulator);
   return result;
 }
 

@@ -1,4 +1,4 @@
-// A calibration from the job to the result: emulators trained, every hypothesis fitted, checked by fresh runs and compared.
+// A calibration from the job to the result: an emulator trained, every hypothesis fitted, checked by fresh runs and compared.
 #pragma once
 #include <chrono>
 #include <functional>

@@ -113,9 +113,7 @@ void held_against_free(const CalibrationJob& job, const CalibrationResult& resul
         const auto place = std::find(freeing.parameters.begin(), freeing.parameters.end(), parameter);
         const auto& a = job.hypotheses[holding.index];
         const auto& b = job.hypotheses[freeing.index];
-        if (place == freeing.parameters.end() || a.convention != b.convention ||
-            a.contact_stiffness != b.contact_stiffness)
-          continue;
+        if (place == freeing.parameters.end() || a.convention != b.convention) continue;
         const auto k = static_cast<std::size_t>(place - freeing.parameters.begin());
         const FreeParameter& p = job.parameters[parameter].free;
         const Interval& interval = freeing.intervals[k].interval;
@@ -201,6 +199,7 @@ void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::v
 
 std::vector<std::string> overall_findings(const CalibrationJob& job, const CalibrationResult& result) {
   std::vector<std::string> sentences;
+  if (job.solver.contact_stiffness_was_given) sentences.push_back(std::string(contact_stiffness_warning) + ".");
   held_against_free(job, result, sentences);
   spread_over_hypotheses(job, result, sentences);
   fresh_against_emulated(job, result, sentences);

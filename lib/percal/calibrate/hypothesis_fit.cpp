@@ -118,7 +118,7 @@ std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, c
   std::vector<Problem> problems;
   for (const MeasuredShot& shot : shots_of(job, fit.shots))
     problems.push_back(
-        shot_problem(job, read, shot, material_at(job, read, shot.material, natural), job.training.verify));
+        shot_problem(job, shot, material_at(job, read, shot.material, natural), job.training.verify));
   return problems;
 }
 

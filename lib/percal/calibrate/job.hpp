@@ -77,7 +77,6 @@ struct Hypothesis {
   std::map<int, double> held;                                    // parameter -> natural value
   ModulusConvention convention = ModulusConvention::true_shear;  // what mu as given means
   StrainMeasure measure = StrainMeasure::engineering;            // of the held erosion strains, as the job wrote them
-  double contact_stiffness = 0.6;
 };
 
 // Shots by filters "COLUMN=VALUE" of their table's rows, or "set=NAME": all of a list must hold.

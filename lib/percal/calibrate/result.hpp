@@ -120,10 +120,8 @@ struct DehnResult {
   std::vector<CrossValidationResult> cross_validations, leave_one_out;
 };
 
-// One emulator: the choices it stands for, what it was trained on, its own error.
+// The emulator of all hypotheses: what it was trained on, its own error.
 struct EmulatorReport {
-  std::string setting;  // "engineering strain, contact stiffness 0.6"
-  std::vector<int> hypotheses;
   int runs = 0, reused = 0, foreign = 0;  // done here, taken from the store, of these not of this job's design
   std::map<std::string, int> outcomes;    // of its design, by name
   EmulatorSettings settings;
@@ -147,7 +145,7 @@ struct CalibrationCost {
 };
 
 struct CalibrationResult {
-  std::vector<EmulatorReport> emulators;
+  EmulatorReport emulator;
   std::vector<HypothesisResult> hypotheses;
   std::optional<DehnResult> dehn;
   std::vector<std::string> findings;  // about the whole

@@ -14,7 +14,7 @@ RunSize largest_run(const CalibrationJob& job) {
   RunSize largest;
   for (const MeasuredShot& shot : job.shots) {
     const Problem problem =
-        shot_problem(job, any, shot, material_at(job, any, shot.material, natural), job.training.verify);
+        shot_problem(job, shot, material_at(job, any, shot.material, natural), job.training.verify);
     refuse_what_is_too_large(problem, job.file, {"training.verify", "shots.layer_depth", "shots.layer_width"});
     if (const RunSize size = size_of(problem); size.elements > largest.elements) largest = size;
   }

@@ -44,7 +44,7 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
   return at;
 }
 
-Scene shot_scene(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
+Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot,
                  const MaterialAt& material, double elements_per_radius) {
   Scene scene;
   scene.source = job.file;
@@ -61,13 +61,12 @@ Scene shot_scene(const CalibrationJob& job, const Hypothesis& hypothesis, const 
                   .erosion = StrainErosion{material.erosion_strain, StrainMeasure::engineering}};
   scene.mesh.elements_per_radius = elements_per_radius;
   scene.solver = job.solver;
-  scene.solver.contact_stiffness = hypothesis.contact_stiffness;
   return scene;
 }
 
-Problem shot_problem(const CalibrationJob& job, const Hypothesis& hypothesis, const MeasuredShot& shot,
+Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot,
                      const MaterialAt& material, double elements_per_radius) {
-  return reduce(shot_scene(job, hypothesis, shot, material, elements_per_radius)).problem;
+  return reduce(shot_scene(job, shot, material, elements_per_radius)).problem;
 }
 
 ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/campaign/sphere_runs.hpp"
@@ -28,20 +27,12 @@ double element_size(double elements_per_radius) { return 1.0 / elements_per_radi
 
 }  // namespace
 
-std::string foreign_note(const CalibrationJob& job, const std::string& setting, const std::string& key_prefix) {
-  return fmt::format("calibration {} {} {}", sha256(job.text), setting, key_prefix);
+std::string foreign_note(const CalibrationJob& job, const std::string& key_prefix) {
+  return fmt::format("calibration {} {}", sha256(job.text), key_prefix);
 }
 
-Training::Training(const CalibrationJob& job, std::vector<int> hypotheses, Store* store, Campaign& campaign,
-                   const CalibrationLimits& limits)
-    : job_(job),
-      hypothesis_(job.hypotheses[hypotheses.front()]),
-      hypotheses_(std::move(hypotheses)),
-      store_(store),
-      campaign_(campaign),
-      limits_(limits) {
-  report_.setting = fmt::format("contact stiffness {:g}", hypothesis_.contact_stiffness);
-  report_.hypotheses = hypotheses_;
+Training::Training(const CalibrationJob& job, Store* store, Campaign& campaign, const CalibrationLimits& limits)
+    : job_(job), hypothesis_(job.hypotheses.front()), store_(store), campaign_(campaign), limits_(limits) {
   take_foreign_runs();
 }
 
@@ -70,7 +61,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
       const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
       if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
     }
-    batch.push_back(shot_problem(job_, hypothesis_, shot, material, mesh));
+    batch.push_back(shot_problem(job_, shot, material, mesh));
   }
   next_point_ += k;
   return batch;
@@ -118,7 +109,7 @@ void Training::add_runs(const std::vector<Problem>& problems) {
 
 // In pieces, so that a budget is kept; the pieces' size does not change what is learnt without one.
 void Training::run(const std::vector<Problem>& problems) {
-  Progress progress(fmt::format("runs for the emulator, {}", report_.setting), static_cast<long>(problems.size()));
+  Progress progress("runs for the emulator", static_cast<long>(problems.size()));
   const std::size_t piece =
       limits_.budget_seconds ? static_cast<std::size_t>(2 * campaign_.threads()) : problems.size();
   const CampaignCost before = campaign_.cost();
@@ -155,7 +146,7 @@ void Training::learn() {
 
 void Training::take_foreign_runs() {
   if (!store_) return;
-  const std::string name = foreign_note(job_, report_.setting, stored_spheres_prefix());
+  const std::string name = foreign_note(job_, stored_spheres_prefix());
   std::vector<StoredSphere> stored = stored_spheres(*store_);
   std::sort(stored.begin(), stored.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   // The setting is that of any of the job's problems.
@@ -163,7 +154,7 @@ void Training::take_foreign_runs() {
   for (const auto& parameter : job_.parameters) natural.push_back(std::sqrt(parameter.free.low * parameter.free.high));
   const MeasuredShot& shot = job_.shots.front();
   const std::string setting =
-      setting_of(shot_problem(job_, hypothesis_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
+      setting_of(shot_problem(job_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
   const auto usable = [&](const StoredSphere& s) {
     return s.depth_over_radius && setting_of(s.problem) == setting &&
            s.problem.elements_per_radius >= std::min(job_.training.coarse, coarsest_foreign) - phase_span / 2;

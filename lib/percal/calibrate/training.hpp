@@ -11,14 +11,13 @@ namespace percal {
 
 // The name of the store's note of which runs of other jobs a job has learnt from. Each solver version and instruction level sees runs
 // of its own, whose keys begin with `key_prefix`, and keeps a note of its own.
-std::string foreign_note(const CalibrationJob& job, const std::string& setting, const std::string& key_prefix);
+std::string foreign_note(const CalibrationJob& job, const std::string& key_prefix);
 
-// One design for all hypotheses with one setting of the solver. Runs of other jobs that the store has for this setting are taken in
+// One design for all hypotheses. Runs of other jobs that the store has for the job's setting of the solver are taken in
 // once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
 class Training {
  public:
-  Training(const CalibrationJob& job, std::vector<int> hypotheses, Store* store, Campaign& campaign,
-           const CalibrationLimits& limits);
+  Training(const CalibrationJob& job, Store* store, Campaign& campaign, const CalibrationLimits& limits);
 
   // Sobol points over the parameters' box and the job's shots; once there is an emulator, those alone whose depth is anywhere near
   // the measured one.
@@ -52,8 +51,7 @@ class Training {
   std::vector<Problem> space_filling_batch(int count);
 
   const CalibrationJob& job_;
-  Hypothesis hypothesis_;  // the setting: convention and held numbers do not matter here
-  std::vector<int> hypotheses_;
+  const Hypothesis& hypothesis_;  // any: convention and held numbers do not matter here
   Store* store_;
   Campaign& campaign_;
   const CalibrationLimits& limits_;

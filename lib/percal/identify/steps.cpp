@@ -272,6 +272,7 @@ double width_needed(const IdentifyJob& job, const Identification& found) {
 
 std::vector<std::string> findings(const IdentifyJob& job, const Identification& found) {
   std::vector<std::string> lines;
+  if (job.solver.contact_stiffness_was_given) lines.emplace_back(contact_stiffness_warning);
   if (job.layer.width_was_chosen)
     lines.push_back(fmt::format(
         "the wall is at {:.4g} radii for every sphere: the widest that any shot of the job needs", job.layer.width));

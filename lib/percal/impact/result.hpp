@@ -8,8 +8,8 @@ namespace percal {
 // How a run ended: a value that the caller must look at.
 //   stopped         the sphere came to rest: depth is its deepest tip position
 //   passed_through  the tip reached the bottom of the layer: depth is at least the layer's
-//   time_up         the end time came first: depth is the deepest so far
-//   unstable        an element turned inside out, the step collapsed, energy was not conserved or a number was not finite
+//   time_up         the end time came first, or the step collapsed: depth is the deepest so far
+//   unstable        an element turned inside out, energy was not conserved or a number was not finite
 enum class Outcome { stopped, passed_through, time_up, unstable };
 std::string word(Outcome outcome);
 Outcome outcome_from(const std::string& word);  // throws std::invalid_argument
@@ -25,12 +25,11 @@ struct EnergyLedger {
   double viscosity = 0;         // taken by the bulk viscosity
   double relaxation = 0;        // work of the stresses that relax: lost, or not yet; `elastic` is then what lasts
   double eroded = 0;            // stored in elements when they were taken out
-  double contact = 0;           // stored in contact springs
-  double contact_dropped = 0;   // stored in contact springs of nodes when their last element was taken out
+  double collisions = 0;        // lost where nodes of the target met the particle
 
   double sum() const;
-  double closure() const { return sum() - 1; }                           // the solver's own energy error
-  double numerical_loss() const { return viscosity + contact_dropped; }  // no part of the physics asked for
+  double closure() const { return sum() - 1; }                      // the solver's own energy error
+  double numerical_loss() const { return viscosity + collisions; }  // no part of the physics asked for
 };
 
 // Every term of the ledger with its key in results and its words on pages, in the order in which sum() adds them.
@@ -49,8 +48,7 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"viscosity", &EnergyLedger::viscosity, "bulk viscosity"},
     {"relaxation", &EnergyLedger::relaxation, "relaxation"},
     {"eroded", &EnergyLedger::eroded, "eroded elements"},
-    {"contact", &EnergyLedger::contact, "contact springs"},
-    {"contact_dropped", &EnergyLedger::contact_dropped, "contact springs dropped at erosion"}};
+    {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"}};
 
 struct HistoryPoint {
   double time;               // radii over impact speed
@@ -62,7 +60,7 @@ struct HistoryPoint {
 
 struct ImpactResult {
   Outcome outcome = Outcome::unstable;
-  std::string reason;  // of unstable, in words; else empty
+  std::string reason;  // of unstable, and of a time that is up because the step collapsed, in words; else empty
   double depth = 0;    // deepest tip position, radii
   double end_time = 0;
   double end_speed = 0;
@@ -76,7 +74,6 @@ struct ImpactResult {
   long distorted = 0;  // of these: taken out because J or the step became too small, not by their strain
   double smallest_jacobian = 1;
   double smallest_step = 0;  // over the first
-  double largest_gap = 0;    // deepest overlap of a node with the sphere, in element sizes
   EnergyLedger energy;
   double helper_cpu_seconds = 0;      // processor time of threads besides the calling one
   std::vector<HistoryPoint> history;  // empty unless asked for

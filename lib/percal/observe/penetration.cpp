@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/problem/replicates.hpp"
-
 namespace percal {
 namespace {
 
@@ -45,8 +43,7 @@ Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& 
   return p;
 }
 
-std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates,
-                                  const Problem& problem) {
+std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates) {
   std::vector<std::string> lines;
   if (penetration.mixed) {
     std::string list;
@@ -55,23 +52,12 @@ std::vector<std::string> warnings(const Penetration& penetration, const std::vec
   }
   const double loss = penetration.energy.numerical_loss();
   if (loss > tolerated_numerical_loss)
-    lines.push_back(fmt::format(
-        "contact springs dropped at erosion ({:.0f} %) and bulk viscosity ({:.0f} %) take more than a quarter "
-        "of the impact energy: a finer mesh lowers the first",
-        100 * penetration.energy.contact_dropped, 100 * penetration.energy.viscosity));
-  const int count = static_cast<int>(replicates.size());
-  double overlap = 0;
-  for (int k = 0; k < count; ++k)
-    overlap =
-        std::max(overlap, replicates[k].result.largest_gap / replicate_mesh(problem.elements_per_radius, k, count));
-  if (overlap > tolerated_overlap)
     lines.push_back(
-        fmt::format("nodes were up to {:.2g} radii inside the sphere: its contact springs are too soft for this "
-                    "material; a finer mesh or a "
-                    "larger contact_stiffness stiffens them",
-                    overlap));
+        fmt::format("collisions of nodes with the particle ({:.0f} %) and bulk viscosity ({:.0f} %) take more than half of "
+                    "the impact energy: the depth hangs on how the mesh takes shocks",
+                    100 * penetration.energy.collisions, 100 * penetration.energy.viscosity));
   for (const auto& run : replicates) {
-    if (run.result.outcome == Outcome::unstable) lines.push_back("unstable: " + run.result.reason);
+    if (!run.result.reason.empty()) lines.push_back(word(run.result.outcome) + ": " + run.result.reason);
     if (run.result.distorted > 0)
       lines.push_back(fmt::format("{} elements were taken out because they were distorted, not by their strain",
                                   run.result.distorted));

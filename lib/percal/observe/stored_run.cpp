@@ -42,7 +42,6 @@ std::string to_payload(const Evaluation& evaluation) {
               {"distorted", r.distorted},
               {"smallest_jacobian", finite(r.smallest_jacobian)},
               {"smallest_step", finite(r.smallest_step)},
-              {"largest_gap", finite(r.largest_gap)},
               {"energy", energy_to_json(r.energy)},
               {"level", evaluation.instruction_level},
               {"wall_s", evaluation.wall_seconds},
@@ -70,7 +69,6 @@ Evaluation from_payload(const std::string& payload) {
     r.distorted = json.at("distorted").get<long>();
     r.smallest_jacobian = number(json.at("smallest_jacobian"));
     r.smallest_step = number(json.at("smallest_step"));
-    r.largest_gap = number(json.at("largest_gap"));
     for (const EnergyTerm& term : energy_terms) r.energy.*term.share = number(json.at("energy").at(term.key));
     evaluation.instruction_level = json.at("level").get<std::string>();
     evaluation.wall_seconds = json.at("wall_s").get<double>();

@@ -37,8 +37,7 @@ struct ElasticSphere {
 };
 using Particle = std::variant<RigidSphere, RigidPolygon, ElasticSphere>;
 
-// The least K/mu that is chosen where a scene gives none, and at which contact stiffness is set
-// (impact/target/constants.hpp): with more, a soft solid's depth no longer depends on K.
+// The least K/mu that is chosen where a scene gives none: with more, a soft solid's depth no longer depends on K.
 inline constexpr double least_bulk_ratio = 50;
 
 // A layer below the first.

@@ -126,14 +126,13 @@ std::string sphere_key_prefix(const std::string& instruction_level) {
 std::string evaluation_key(const Problem& p, const std::string& instruction_level) {
   return fmt::format(
              "{} solver={} level={} arithmetic={} pi4={:.12g} density_ratio={:.12g} alpha={:.12g} bulk_ratio={:.12g} "
-             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={:.12g},{:.12g},{} contact={:.12g} "
-             "hourglass={:.12g} "
+             "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={:.12g},{:.12g},{} hourglass={:.12g} "
              "viscosity={:.12g},{:.12g} step={:.12g} end={:.12g} speed={:.12g}",
              std::visit(ParticleText{}, p.particle), solver_version, instruction_level,
              p.arithmetic == Arithmetic::single_precision ? "single" : "double", p.pi4, p.density_ratio, p.alpha,
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns,
-             p.contact_stiffness, p.hourglass, p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor,
+             p.hourglass, p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor,
              p.end_time, p.speed_factor) +
          choices_text(p) + below_text(p.below) + relaxation_text(p.relaxation);
 }
@@ -154,7 +153,6 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.elements_per_radius = mesh[0];
   p.fine_width = mesh[1];
   p.graded_columns = static_cast<int>(mesh[2]);
-  p.contact_stiffness = words.number("contact");
   p.hourglass = words.number("hourglass");
   const auto viscosity = words.numbers("viscosity");
   p.linear_viscosity = viscosity[0];

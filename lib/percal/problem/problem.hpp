@@ -29,15 +29,14 @@ struct Problem {
   double fine_width = 1;
   int graded_columns = 5;
 
-  double contact_stiffness = 0.6;
   double hourglass = 0.5;
   HourglassForm hourglass_form = HourglassForm::stiffness;
   VolumetricLaw volumetric_law = VolumetricLaw::log_quadratic;
   ErodedNodes eroded_nodes = ErodedNodes::released;
   double linear_viscosity = 0.06;
-  double quadratic_viscosity = 1.2;
+  double quadratic_viscosity = 0.6;
   double time_step_factor = 0.9;
-  int rates = 2;
+  int rates = 2;  // at most: rates_of()
   Arithmetic arithmetic = Arithmetic::single_precision;
   double end_time = 1000;  // in radii at impact speed
 
@@ -50,6 +49,14 @@ struct Problem {
   double bulk() const { return bulk_ratio / pi4; }
   double whole_depth() const;  // of all layers
 };
+
+// The rates that a run takes: one where nothing erodes. Elements are then squeezed without end, and two rates do not close there;
+// the few steps that they would save are not worth it.
+int rates_of(const Problem& problem);
+
+// What is said of a scene or job that still gives one.
+inline constexpr char contact_stiffness_warning[] =
+    "contact_stiffness has no effect: contact has no springs any more";
 
 // v over the dilatational wave speed sqrt((K + 4 mu/3)/rho), of the layer that has the slowest.
 double mach_number(const Problem& problem);

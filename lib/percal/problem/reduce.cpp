@@ -110,7 +110,6 @@ void take_mesh(const Scene& scene, Problem& p) {
 
 void take_solver(const Scene& scene, Problem& p) {
   const SolverScene& solver = scene.solver;
-  p.contact_stiffness = round_to_12_digits(solver.contact_stiffness);
   p.hourglass = round_to_12_digits(solver.hourglass);
   p.hourglass_form = solver.hourglass_form;
   p.volumetric_law = solver.volumetric_law;
@@ -174,6 +173,7 @@ Reduction reduce(const Scene& scene) {
   reduction.mach = mach_number(p);
   reduction.bulk_was_chosen = std::holds_alternative<ChooseBulk>(target.volumetric);
   reduction.left_out = list_what_is_left_out(scene, p);
+  if (scene.solver.contact_stiffness_was_given) reduction.warnings.emplace_back(contact_stiffness_warning);
   warn_of_the_particle(scene, reduction);
   warn_of_the_mach_number(reduction);
   reduction.mesh = mesh_choice(scene, p);
@@ -185,6 +185,10 @@ double Problem::whole_depth() const {
   double sum = depth;
   for (const LowerLayer& layer : below) sum += layer.depth;
   return sum;
+}
+
+int rates_of(const Problem& problem) {
+  return std::holds_alternative<NoErosion>(problem.erosion) ? 1 : problem.rates;
 }
 
 double mach_number(const Problem& problem) {

@@ -149,6 +149,7 @@ struct MeshScene {
 
 enum class VolumetricLaw { log_quadratic, quadratic, logarithmic };  // U/K = (J^2-1-2 ln J)/4, (J-1)^2/2, (ln J)^2/2
 enum class HourglassForm { stiffness, viscosity };
+double usual_hourglass(HourglassForm form);  // where a scene gives none
 enum class ErodedNodes {
   released,
   in_contact
@@ -156,13 +157,13 @@ enum class ErodedNodes {
 
 // Numerical settings: the defaults are docs/theory/impact.md's setting S.
 struct SolverScene {
-  double contact_stiffness = 0.6;  // kappa: k = kappa m/dt_ref^2
-  double hourglass = 0.5;          // stiffness in units of mu_true; viscosity: share of the wave impedance
+  bool contact_stiffness_was_given = false;  // by a scene of a time when contact had springs: a warning says so
+  double hourglass = 0.5;                    // stiffness in units of mu_true; viscosity: share of the wave impedance
   HourglassForm hourglass_form = HourglassForm::stiffness;
   VolumetricLaw volumetric_law = VolumetricLaw::log_quadratic;
   ErodedNodes eroded_nodes = ErodedNodes::released;
   double linear_viscosity = 0.06;
-  double quadratic_viscosity = 1.2;
+  double quadratic_viscosity = 0.6;
   double time_step_factor = 0.9;  // share of the stable step
   int rates = 2;  // time steps of different length: 1, or 2 (elements near the particle at half the step)
   bool stiffen_supersonic = false;  // K raised to a Mach number of 0.3 where the scene's own gives 1 or more

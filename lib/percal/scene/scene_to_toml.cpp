@@ -165,7 +165,6 @@ void write_mesh(Lines& lines, const MeshScene& mesh) {
 
 void write_solver(Lines& lines, const SolverScene& solver) {
   lines.table("solver");
-  lines.number("contact_stiffness", solver.contact_stiffness);
   lines.number("hourglass", solver.hourglass);
   lines.choice("hourglass_form", hourglass_words(), solver.hourglass_form);
   lines.choice("volumetric_law", volumetric_words(), solver.volumetric_law);

@@ -259,12 +259,17 @@ VolumetricChoice volumetric_from(const TomlTable& table) {
 
 Range elements_per_radius_range() { return {.low = 1, .high = 1000, .words = "a number from 1 to 1000"}; }
 
+double usual_hourglass(HourglassForm form) { return form == HourglassForm::viscosity ? 0.02 : 0.5; }
+
 SolverScene solver_from(const TomlTable& table) {
   SolverScene solver;
   const auto share = [&table](const char* key, double fallback) { return table.number(key, not_negative(), fallback); };
-  solver.contact_stiffness = table.number("contact_stiffness", positive(), solver.contact_stiffness);
-  solver.hourglass = share("hourglass", solver.hourglass);
+  if (table.has("contact_stiffness")) {  // of a scene of a time when contact had springs
+    table.number("contact_stiffness", positive());
+    solver.contact_stiffness_was_given = true;
+  }
   solver.hourglass_form = choice(table, "hourglass_form", hourglass_words(), solver.hourglass_form);
+  solver.hourglass = share("hourglass", usual_hourglass(solver.hourglass_form));
   solver.volumetric_law = choice(table, "volumetric_law", volumetric_words(), solver.volumetric_law);
   solver.eroded_nodes = choice(table, "eroded_nodes", eroded_node_words(), solver.eroded_nodes);
   solver.linear_viscosity = share("linear_viscosity", solver.linear_viscosity);

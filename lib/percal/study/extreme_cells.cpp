@@ -252,8 +252,6 @@ void add_numerics(Matrix& m) {
     s.solver.hourglass = 0.1;
   });
   m.add("no viscosity", [](Scene& s) { s.solver.linear_viscosity = s.solver.quadratic_viscosity = 0; });
-  m.add("contact stiffness 0.01", [](Scene& s) { s.solver.contact_stiffness = 0.01; });
-  m.add("contact stiffness 60", [](Scene& s) { s.solver.contact_stiffness = 60; });
 }
 
 void add_supersonic(Matrix& m) {

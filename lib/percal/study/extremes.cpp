@@ -16,7 +16,7 @@ constexpr double clearly_negative = -0.05;  // of the impact energy
 
 std::vector<double> numbers_of(const ImpactResult& r) {
   std::vector<double> numbers{r.depth,         r.end_time,          r.end_speed,     r.sideways,    r.turn,
-                              r.element_steps, r.smallest_jacobian, r.smallest_step, r.largest_gap, r.energy.sum()};
+                              r.element_steps, r.smallest_jacobian, r.smallest_step, r.energy.sum()};
   for (const auto& [key, share, words] : energy_terms) numbers.push_back(r.energy.*share);
   return numbers;
 }
@@ -27,14 +27,13 @@ Scene checked(const Scene& scene) { return parse_scene(scene_to_toml(scene, ""),
 RunCell finished(const Reduction& reduction, const Evaluation& evaluation) {
   RunCell run{.reduction = reduction, .evaluation = evaluation, .same_problem_as = "", .warnings = reduction.warnings};
   const Penetration p = summarise({evaluation}, reduction.problem, reduction.scales);
-  for (const auto& line : warnings(p, {evaluation}, reduction.problem))
-    if (!line.starts_with("unstable")) run.warnings.push_back(line);
+  const std::string& reason = evaluation.result.reason;  // shown in a place of its own
+  for (const auto& line : warnings(p, {evaluation}))
+    if (reason.empty() || !line.ends_with(reason)) run.warnings.push_back(line);
   return run;
 }
 
 }  // namespace
-
-double RunCell::overlap() const { return evaluation.result.largest_gap / reduction.problem.elements_per_radius; }
 
 std::string CellResult::outcome() const { return run ? word(run->evaluation.result.outcome) : "refused"; }
 

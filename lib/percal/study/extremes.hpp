@@ -16,7 +16,6 @@ struct RunCell {
   Evaluation evaluation;
   std::string same_problem_as;        // the cell that is the same without dimensions; empty where there is none
   std::vector<std::string> warnings;  // those that percal impact would print
-  double overlap() const;             // deepest of a node with the particle, radii
 };
 
 struct CellResult {

@@ -18,7 +18,7 @@
 namespace percal {
 namespace {
 
-constexpr double wider = 2, thicker = 1.5, finer = 1.5, stiffer_layer = 2, stiffer_bulk = 4, stiffer_contact = 4;
+constexpr double wider = 2, thicker = 1.5, finer = 1.5, stiffer_layer = 2, stiffer_bulk = 4;
 constexpr double illustrated_share = 0.2;  // of the modulus that relaxes within a radius at impact speed
 constexpr double weak_hourglass = 0.1, strong_hourglass = 1, viscous_hourglass = 0.1;
 
@@ -80,10 +80,6 @@ class Planner {
     viscosity();
     resolution();
     about(OmissionKind::numerics);
-    for (const double factor : {1 / stiffer_contact, stiffer_contact})
-      add(factor < 1 ? "contact stiffness / 4" : "contact stiffness x 4",
-          fmt::format("{:.3g} for {:.3g}", factor * scene_.solver.contact_stiffness, scene_.solver.contact_stiffness),
-          [factor](Scene& s) { s.solver.contact_stiffness *= factor; });
     add("K/mu x 4",
         fmt::format("{:.4g} for {:.4g}", stiffer_bulk * baseline_.problem.bulk_ratio, baseline_.problem.bulk_ratio),
         [this](Scene& s) {

@@ -55,6 +55,9 @@ std::map<int, double> held_from(const TomlTable& block, const CalibrationJob& jo
 }
 
 Hypothesis hypothesis_from(const TomlTable& block, const CalibrationJob& job) {
+  if (block.has("contact_stiffness"))
+    block.refuse("contact_stiffness", "a stiffness of springs that contact does not have any more",
+                 "a hypothesis that differs in what it holds, in its convention or in its measure");
   const auto measure = static_cast<StrainMeasure>(block.word("measure", {"engineering", "true", "green-lagrange"}, 0));
   std::map<int, double> held = held_from(block, job);
   for (auto& [parameter, value] : held)  // inside, erosion strains are engineering ones
@@ -62,8 +65,7 @@ Hypothesis hypothesis_from(const TomlTable& block, const CalibrationJob& job) {
   return {.name = block.text("name"),
           .held = held,
           .convention = static_cast<ModulusConvention>(block.word("convention", {"true", "mu/alpha"}, 0)),
-          .measure = measure,
-          .contact_stiffness = block.number("contact_stiffness", positive("stiffness"), job.solver.contact_stiffness)};
+          .measure = measure};
 }
 
 // Moduli are positive, so a mu that stands for mu_true 2/alpha needs a positive alpha.
@@ -217,7 +219,7 @@ void read_hypotheses(const TomlTable& root, CalibrationJob& job) {
     job.hypotheses.push_back(hypothesis);
   }
   if (job.hypotheses.empty())
-    job.hypotheses.push_back({.name = "as given", .held = {}, .contact_stiffness = job.solver.contact_stiffness});
+    job.hypotheses.push_back({.name = "as given", .held = {}});
 }
 
 void read_published(const TomlTable& root, CalibrationJob& job) {

@@ -18,7 +18,6 @@ Json hypothesis_to_json(const CalibrationJob& job, const HypothesisResult& resul
   Json json{{"name", hypothesis.name},
             {"convention", word(hypothesis.convention)},
             {"strain_measure", word(hypothesis.measure)},
-            {"contact_stiffness", hypothesis.contact_stiffness},
             {"ridges", ridges_to_json(fitted_parameters(job, result), result.ridges)},
             {"shots", shots_to_json(job, result.shots)},
             {"curves", curves_to_json(job, result.curves)},
@@ -65,7 +64,6 @@ Table side_by_side(const Json& result) {
   }
   row("mu means", [](const Json& one) { return text(one, "convention"); });
   row("a held erosion strain is", [](const Json& one) { return text(one, "strain_measure"); });
-  row("contact stiffness", [](const Json& one) { return shown(number(one, "contact_stiffness")); });
   for (const Json& parameter : list(at(result, "data"), "parameters"))
     row(text(parameter, "name"), [&](const Json& one) { return value_under(one, text(parameter, "name")); });
   for (const std::string& set : sets) row(set, [&](const Json& one) { return mean_deviation_of(one, set); });
@@ -121,7 +119,7 @@ page::Json calibration_to_json(const CalibrationJob& job, const CalibrationResul
                {"hypotheses", hypotheses},
                {"cards", cards},
                {"dehn", result.dehn ? dehn_to_json(job, *result.dehn) : Json()},
-               {"emulators", emulators_to_json(job, result.emulators)},
+               {"emulator", emulator_to_json(result.emulator)},
                {"findings", result.findings},
                {"cost", cost_to_json({.runs = result.cost.runs,
                                       .reused = result.cost.reused,
@@ -144,7 +142,7 @@ page::Page calibrate_page(const page::Json& result) {
   add(page, predictions_section(result));
   int n = 0;
   for (const Json& hypothesis : list(result, "hypotheses")) add(page, hypothesis_section(result, hypothesis, ++n));
-  add(page, emulators_section(result));
+  add(page, emulator_section(result));
   add(page, provenance_section(result));
   add(page, input_section(result));
   return page;

@@ -61,11 +61,11 @@ Section moduli_section(const Json& result);
 void add_errors(Section& section, const Json& result, const Json& hypothesis);
 List advice_list(const Json& hypothesis);  // the best measurement for each quantity, where one helps
 
-// --- emulators.cpp: emulators, and the fresh runs that check them ----------------------------------------------------
-Json emulators_to_json(const CalibrationJob& job, const std::vector<EmulatorReport>& emulators);
+// --- emulator.cpp: the emulator, and the fresh runs that check it -----------------------------------------------------
+Json emulator_to_json(const EmulatorReport& emulator);
 Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs);
 void add_fresh_runs(Section& section, const Json& result, const Json& hypothesis, int number);
-Section emulators_section(const Json& result);
+Section emulator_section(const Json& result);
 
 // --- answer.cpp: what the terminal shows unasked --------------------------------------------------------------------
 std::string summary_of(const Json& result);

@@ -11,82 +11,46 @@ PERCAL_INLINE V depths_of_lanes(double row_height) {
   return below_first;
 }
 
-// A group of nodes gets its push, and the particle the opposite.
-template <class V>
-PERCAL_INLINE void push_apart(RealOf<V>* fr, RealOf<V>* fz, V push_r, V push_z, V stiffness, V gap,
-                              ContactReport& report) {
-  store(fr, load<V>(fr) + push_r);
-  store(fz, load<V>(fz) + push_z);
-  report.force += lane_sum(push_z);
-  report.spring_energy += 0.5 * lane_sum(stiffness * gap * gap);
-  const double deepest = static_cast<double>(lane_largest(gap));
-  if (deepest > report.largest_gap) report.largest_gap = deepest;
-}
-
-// Frictionless penalty: a node inside the sphere by `gap` is pushed out along the radius with force stiffness gap.
-template <class Real>
-void sphere_contact(const FieldsView<const Real>& fields, const NodeForces<Real>& forces, const ContactNodes& nodes,
-                    double centre, ContactReport& report) {
+// Calls inside(x, z) with the position of each group of nodes from the particle's centre, and lists the rows for which it
+// says yes. Most groups are passed over with one look.
+template <class Real, class Inside>
+PERCAL_INLINE int list_nodes(const FieldsView<const Real>& fields, const ContactNodes& nodes, double centre_x,
+                             double centre_z, int* found, Inside inside) {
   using V = typename VectorOf<Real>::type;
   constexpr int lanes = Lane<V>::count;
   const long start = static_cast<long>(nodes.column) * fields.stride;
-  const Real *ur = fields.u_r + start, *uz = fields.u_z + start, *stiffness = fields.contact_stiffness + start;
-  Real *fr = forces.r + start, *fz = forces.z + start;
+  const Real *ur = fields.u_r + start, *uz = fields.u_z + start, *touchable = fields.touchable + start;
   const V below_first = depths_of_lanes<V>(nodes.row_height);
-  const V zero{};
+  int count = 0;
   for (int j = nodes.rows.begin; j < nodes.rows.end; j += lanes) {
-    const V k = load<V>(stiffness + j);
-    if (!any(k > Real(0))) continue;
-    const V r = load<V>(ur + j) + static_cast<Real>(nodes.x);
-    const V z = load<V>(uz + j) +
-                (below_first + static_cast<Real>(j * nodes.row_height - centre));  // from the centre downwards
-    const V distance2 = r * r + z * z;
-    const auto touching = (distance2 < Real(1)) & (k > Real(0));
-    if (!any(touching)) continue;
-    const V distance = square_root(distance2 + Real(1e-20));
-    const V gap = select(touching, Real(1) - distance, zero);
-    const V push = k * gap / distance;
-    const V push_z = push * z;
-    push_apart(fr + j, fz + j, push * r, push_z, k, gap, report);
-  }
-}
-
-// The same of a convex polygon: a node behind all sides is pushed out across the nearest one. Where two are as near,
-// the push is along the mean of their normals, so that a tip pushes straight ahead.
-template <class Real>
-void polygon_contact(const FieldsView<const Real>& fields, const NodeForces<Real>& forces, const ContactNodes& nodes,
-                     const PolygonSide* sides, int side_count, double centre_x, double centre_z,
-                     ContactReport& report) {
-  using V = typename VectorOf<Real>::type;
-  constexpr int lanes = Lane<V>::count;
-  const long start = static_cast<long>(nodes.column) * fields.stride;
-  const Real *ur = fields.u_r + start, *uz = fields.u_z + start, *stiffness = fields.contact_stiffness + start;
-  Real *fr = forces.r + start, *fz = forces.z + start;
-  const V below_first = depths_of_lanes<V>(nodes.row_height);
-  const V zero{}, one = broadcast<V>(Real(1));
-  for (int j = nodes.rows.begin; j < nodes.rows.end; j += lanes) {
-    const V k = load<V>(stiffness + j);
-    if (!any(k > Real(0))) continue;
     const V x = load<V>(ur + j) + static_cast<Real>(nodes.x - centre_x);
     const V z = load<V>(uz + j) + (below_first + static_cast<Real>(j * nodes.row_height - centre_z));
-    V gap = broadcast<V>(Real(1e30)), normal_x = zero, normal_z = zero, nearest = one;
-    for (int side = 0; side < side_count; ++side) {
-      const Real nx = Real(sides[side].normal_x), nz = Real(sides[side].normal_z), offset = Real(sides[side].offset);
-      const V behind = offset - (x * nx + z * nz);
-      const auto nearer = behind < gap, as_near = behind == gap;
-      normal_x = select(nearer, broadcast<V>(nx), select(as_near, normal_x + nx, normal_x));
-      normal_z = select(nearer, broadcast<V>(nz), select(as_near, normal_z + nz, normal_z));
-      nearest = select(nearer, one, select(as_near, nearest + one, nearest));
-      gap = select(nearer, behind, gap);
-    }
-    const auto touching = (gap > Real(0)) & (k > Real(0));
-    if (!any(touching)) continue;
-    gap = select(touching, gap, zero);
-    const V push = k * gap / nearest, push_x = push * normal_x, push_z = push * normal_z;
-    push_apart(fr + j, fz + j, push_x, push_z, k, gap, report);
-    report.sideways -= lane_sum(push_x);
-    report.torque += lane_sum(push_z * x - push_x * z);
+    const auto is_in = inside(x, z) & (load<V>(touchable + j) > Real(0));
+    if (!any(is_in)) continue;
+    for (int l = 0; l < lanes; ++l)
+      if (is_in[l]) found[count++] = j + l;
   }
+  return count;
+}
+
+template <class Real>
+int nodes_in_sphere(const FieldsView<const Real>& fields, const ContactNodes& nodes, double centre, int* found) {
+  using V = typename VectorOf<Real>::type;
+  return list_nodes(fields, nodes, 0, centre, found, [](V x, V z) { return x * x + z * z < Real(1); });
+}
+
+// Behind all sides.
+template <class Real>
+int nodes_in_polygon(const FieldsView<const Real>& fields, const ContactNodes& nodes, const PolygonSide* sides,
+                     int side_count, double centre_x, double centre_z, int* found) {
+  using V = typename VectorOf<Real>::type;
+  return list_nodes(fields, nodes, centre_x, centre_z, found, [&](V x, V z) {
+    V least = broadcast<V>(Real(1e30));
+    for (int k = 0; k < side_count; ++k)
+      least = smaller(least,
+                      Real(sides[k].offset) - (x * Real(sides[k].normal_x) + z * Real(sides[k].normal_z)));
+    return least > Real(0);
+  });
 }
 
 template <class Real>

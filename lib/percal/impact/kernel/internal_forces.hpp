@@ -92,8 +92,9 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
     const V now = solid.erosion_measure(F, s, g, P, q), change = now - load<V>(measure + j);
     store(measure + j, now);
     const auto at_limit = solid.at_limit(j, state, now, change, again, report);
-    const auto gone = live & (at_limit | (s.unbounded_jacobian < material.smallest_jacobian) |
-                              (inverse_step > material.largest_inverse_step));
+    auto gone = live & (at_limit | (s.unbounded_jacobian < material.smallest_jacobian) |
+                        (inverse_step > material.largest_inverse_step));
+    if (again) gone = gone & ~gone;  // who was judged is not judged again: nobody would take it out
     if (__builtin_expect(any(gone), 0)) {
       for (int l = 0; l < lanes; ++l)
         if (gone[l]) {

@@ -13,7 +13,7 @@ struct FieldsView {
   Real *u_r, *u_z;          // nodal displacements: never positions, whose rounding would heat a mesh in float
   Real *v_r, *v_z;          // nodal velocities, half a step behind
   Real* inverse_mass;       // 0 where a node is held
-  Real* contact_stiffness;  // of a node that the particle can meet, else 0
+  Real* touchable;          // 1 for a node that the particle can meet, else 0
   Real* jacobian;           // J of an element at its last step
   Real* viscous_pressure;   // q of an element at its last step
   Real* erosion_measure;    // what erosion is judged by, at its last step
@@ -140,30 +140,13 @@ struct StiffnessWatch {
   unsigned char* flags;
 };
 
-struct ContactReport {
-  double force = 0;     // that the nodes exert on the particle, upwards positive
-  double sideways = 0;  // the same to the right (polygons)
-  double torque = 0;    // the same about its centre of mass, anticlockwise (polygons)
-  double spring_energy = 0;
-  double largest_gap = 0;  // deepest overlap of a node with the particle
-
-  ContactReport& operator+=(const ContactReport& other) {
-    force += other.force;
-    sideways += other.sideways;
-    torque += other.torque;
-    spring_energy += other.spring_energy;
-    largest_gap = largest_gap > other.largest_gap ? largest_gap : other.largest_gap;
-    return *this;
-  }
-};
-
 // A side of a rigid convex polygon: points x with normal . (x - centre) < offset lie behind it.
 struct PolygonSide {
   double normal_x, normal_z;  // outward; z downwards
   double offset;
 };
 
-// Nodes of one column that the particle can meet.
+// Nodes of one column that the particle may meet.
 struct ContactNodes {
   int column;
   double x;           // undeformed r or x of the column
@@ -191,12 +174,12 @@ struct Kernel {
   void (*internal_forces_general)(const FieldsView<Real>&, const ColumnForces<Real>&, int column, Rows,
                                   const ColumnShape&, const GeneralSolidView<Real>&, double previous_step,
                                   const StiffnessWatch&, ColumnReport&);
-  // Adds the penalty forces of a sphere (or cylinder) of radius 1 centred at depth `centre` on the axis.
-  void (*sphere_contact)(const FieldsView<const Real>&, const NodeForces<Real>&, const ContactNodes&, double centre,
-                         ContactReport&);
+  // Writes the rows of the touchable nodes inside a sphere (or cylinder) of radius 1 centred at depth `centre` on the
+  // axis, in their order, and returns how many. `found` has room for all rows.
+  int (*nodes_in_sphere)(const FieldsView<const Real>&, const ContactNodes&, double centre, int* found);
   // The same of a convex polygon, its centre of mass at (centre_x, centre_z).
-  void (*polygon_contact)(const FieldsView<const Real>&, const NodeForces<Real>&, const ContactNodes&,
-                          const PolygonSide* sides, int side_count, double centre_x, double centre_z, ContactReport&);
+  int (*nodes_in_polygon)(const FieldsView<const Real>&, const ContactNodes&, const PolygonSide* sides, int side_count,
+                          double centre_x, double centre_z, int* found);
   // v += kick f/m, u += drift v for the nodes of column i. Where `held` the column moves along z only.
   void (*kick_and_drift)(const FieldsView<Real>&, const NodeForces<Real>&, int column, Rows, bool held, double kick,
                          double drift);

@@ -8,8 +8,8 @@ template <class Real>
 constexpr Kernel<Real> table_of_functions{internal_forces<Real>,
                                           internal_forces_averaged<Real>,
                                           internal_forces_general<Real>,
-                                          sphere_contact<Real>,
-                                          polygon_contact<Real>,
+                                          nodes_in_sphere<Real>,
+                                          nodes_in_polygon<Real>,
                                           kick_and_drift<Real>,
                                           weighted_sum<Real>,
                                           Lane<typename VectorOf<Real>::type>::count};

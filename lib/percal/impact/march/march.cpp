@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/impact/march/contact_zone.hpp"
 #include "percal/impact/march/recorder.hpp"
 #include "percal/impact/march/sweep.hpp"
 #include "percal/impact/particle/elastic_sphere.hpp"
@@ -23,20 +24,16 @@ class March {
       : problem_(problem),
         kernel_(kernel<Real>()),
         limits_(step_limits(problem)),
-        block_(problem, mesh_of(problem), limits_.contact_stiffness_per_mass, kernel_.lanes),
+        block_(problem, mesh_of(problem), kernel_.lanes),
         solid_(problem, block_.layers()),
         sweep_(problem, block_, kernel_, solid_, threads),
         particle_(problem),
+        zone_(block_, kernel_, particle_),
         recorder_(problem.history_samples),
         observer_(observer),
-        substeps_(problem.rates) {
+        substeps_(rates_of(problem)) {
     impact_energy_ = particle_.energy().kinetic;
     rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
-    const auto& x = block_.mesh().radius;
-    while (x[contact_.column_begin] < -search_radius) ++contact_.column_begin;
-    contact_.column_end = contact_.column_begin;
-    while (contact_.column_end <= block_.mesh().columns() && x[contact_.column_end] < search_radius)
-      ++contact_.column_end;
     if (substeps_ > 1)
       near_ = NearCells(block_.mesh().columns(), sweep_.whole_groups(block_.mesh().rows), kernel_.lanes);
     before_ = near_;
@@ -67,10 +64,9 @@ class March {
 
  private:
   double far_step() const { return substeps_ * step_; }
-  double force() const { return far_contact_.force + near_contact_.force; }
 
   void find_all_forces() {
-    if (result_.steps % search_interval == 0) find_contact_rows();
+    if (result_.steps % search_interval == 0) zone_.search(rows_moving_, 0.25 + 3 * search_interval * step_);
     const bool choose = substeps_ > 1 && result_.steps % near_interval == 0;
     if (choose) choose_near_cells();
     sweep_.set_time(time_);
@@ -78,15 +74,12 @@ class March {
     if (choose) settle_those_that_changed();
     far_inverse_step_ = forces_.far_inverse_step;
     result_.element_steps += static_cast<double>(rows_moving_) * block_.mesh().columns();
-    touch_far();
-    touch_near();
   }
 
   void find_near_forces() {
     sweep_.set_time(time_);
     take_in(sweep_.near_only(near_, last_step_));
     result_.element_steps += near_.elements_in_all();
-    touch_near();
   }
 
   void take_in(SweepReport report) {
@@ -106,9 +99,11 @@ class March {
     const auto row_of = [&](double depth) {
       return std::min(end, std::max(0, static_cast<int>(depth / height)) / kernel_.lanes * kernel_.lanes);
     };
-    around_ = {row_of(particle_.tip() - near_behind), std::min(end, row_of(particle_.tip()) + kernel_.lanes)};
+    const Rows around{row_of(particle_.tip() - near_behind),
+                      std::min(end, row_of(particle_.tip()) + kernel_.lanes)};
+    const ContactColumns columns = zone_.columns();
     near_.clear();
-    near_.add(std::max(0, contact_.column_begin - 1), std::min(contact_.column_end, block_.mesh().columns()), around_);
+    near_.add(std::max(0, columns.begin - 1), std::min(columns.end, block_.mesh().columns()), around);
     sweep_.add_stiff(near_);
     near_.close();
   }
@@ -129,89 +124,24 @@ class March {
     ++result_.eroded;
     if (block_.view().alive[block_.at(column, row)] < -1) ++result_.distorted;
     if (!solid_.erodes(row)) inside_out_ = true;
-    block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact,
-                    [this](int i, int j) { drop_contact(i, j); });
-  }
-
-  void drop_contact(int column, int row) {
-    const auto& view = block_.view();
-    const long n = block_.at(column, row);
-    const double x = block_.mesh().radius[column] + view.u_r[n], z = row * block_.mesh().row_height + view.u_z[n];
-    const auto [gap, normal_x, normal_z] = particle_.overlap(x, z);
-    if (gap == 0) return;
-    const auto velocity = particle_.velocity_at(x, z);
-    const double stiffness = view.contact_stiffness[n];
-    const double apart = (view.v_r[n] - velocity.x) * normal_x + (view.v_z[n] - velocity.z) * normal_z;
-    dropped_energy_ += 0.5 * stiffness * gap * gap + 0.5 * last_step_ * stiffness * gap * apart;
-  }
-
-  // Nodes around the particle meet it once a short step, others once a long one.
-  void touch_far() {
-    const double height = block_.mesh().row_height;
-    contact_.rows.end =
-        std::min(rows_moving_ + 1, std::max(static_cast<int>((particle_.tip() + 1) / height) + 2, lifted_rows_));
-    far_contact_ = {};
-    const auto touch = [&](Rows rows) {
-      if (rows.empty()) return;
-      far_contact_ +=
-          particle_.touch(kernel_, block_, block_.far_forces(), {contact_.column_begin, contact_.column_end, rows});
-    };
-    touch({contact_.rows.begin, std::min(contact_.rows.end, around_.begin)});
-    touch({std::max(contact_.rows.begin, around_.end), contact_.rows.end});
-    result_.largest_gap = std::max(result_.largest_gap, far_contact_.largest_gap / height);
-  }
-
-  void touch_near() {
-    near_contact_ = {};
-    const Rows rows{std::max(contact_.rows.begin, around_.begin), std::min(contact_.rows.end, around_.end)};
-    if (rows.empty()) return;
-    near_contact_ =
-        particle_.touch(kernel_, block_, block_.near_forces(), {contact_.column_begin, contact_.column_end, rows});
-    result_.largest_gap = std::max(result_.largest_gap, near_contact_.largest_gap / block_.mesh().row_height);
-  }
-
-  // The rows above the first are, and stay until the next search, higher than the particle's top; those from lifted_rows_ on are
-  // lower than its tip, though they may have been lifted by more than a radius.
-  void find_contact_rows() {
-    const double height = block_.mesh().row_height, margin = 0.25 + 3 * search_interval * step_;
-    const double top = particle_.top() - margin, bottom = particle_.tip() + margin;
-    const auto& view = block_.view();
-    int first = rows_moving_;
-    lifted_rows_ = 0;
-    for (int i = contact_.column_begin; i < contact_.column_end; ++i) {
-      const auto touches = [&](int j) { return view.contact_stiffness[block_.at(i, j)] > 0; };
-      const auto depth = [&](int j) { return j * height + view.u_z[block_.at(i, j)]; };
-      for (int j = 0; j < first; ++j)
-        if (touches(j) && depth(j) > top) first = j;
-      for (int j = rows_moving_; j >= lifted_rows_; --j)
-        if (touches(j) && depth(j) < bottom) lifted_rows_ = j + 1;
-    }
-    contact_.rows.begin = first / kernel_.lanes * kernel_.lanes;
+    block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact);
   }
 
   bool has_ended() {
     result_.depth = std::max(result_.depth, particle_.tip());
-    if (!std::isfinite(force()) || !std::isfinite(viscous_work_ + relaxing_work_))
+    if (!std::isfinite(zone_.force()) || !std::isfinite(viscous_work_ + relaxing_work_))
       return end(Outcome::unstable, "a force is not finite");
     if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
     if (std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step * collapsed_step > 1)
-      return end(Outcome::unstable, "the time step collapsed");
+      return end(Outcome::time_up, "the time step collapsed");
     if (std::abs(particle_.speed()) > 10 * problem_.speed_factor)
       return end(Outcome::unstable, "the particle is ten times faster than at impact");
     if (const std::string failure = particle_.failure(); !failure.empty()) return end(Outcome::unstable, failure);
-    if (result_.largest_gap * block_.mesh().row_height > lost_contact)
-      return end(Outcome::unstable, "a node is half a radius inside the particle: its contact springs are too soft");
     if (result_.steps >= most_steps) return end(Outcome::time_up, "");
-    if (speed_now() <= 0) return end(Outcome::stopped, "");
+    if (particle_.speed() <= 0) return end(Outcome::stopped, "");
     if (particle_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
     if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
     return false;
-  }
-
-  // At the time of the displacements.
-  double speed_now() const {
-    return particle_.speed() + particle_.speed_change(far_contact_, 0.5 * last_far_step_) +
-           particle_.speed_change(near_contact_, 0.5 * last_step_);
   }
 
   bool end(Outcome outcome, const std::string& reason) {
@@ -226,27 +156,22 @@ class March {
     step_ =
         std::min(stable_step(forces_.near_inverse_step), stable_step(std::max(far_inverse_step_, first)) / substeps_);
     if (last_step_ > 0) step_ = std::min(step_, step_growth * last_step_);
-    step_ = std::min(step_, largest_travel * block_.mesh().row_height / problem_.speed_factor);
+    step_ = std::min(step_, largest_travel * block_.mesh().row_height / problem_.speed_factor / substeps_);
     result_.smallest_step = std::min(result_.smallest_step, step_ / (limits_.time_step_factor * limits_.first_step));
     if (substeps_ > 1)
       sweep_.watch(std::max(1 / (longest_far_step * limits_.first_step), forces_.near_inverse_step / substeps_));
   }
 
-  // Contact springs add kappa/dt_ref^2 to a node's squared frequency, and more where the particle's nodes swing as well.
-  double stable_step(double inverse_step) const {
-    const double factor = limits_.time_step_factor;
-    const double springs = limits_.largest_contact_stiffness_per_mass + particle_.spring_stiffness_per_mass();
-    return factor / std::sqrt(inverse_step * inverse_step + 0.25 * factor * factor * springs);
-  }
+  double stable_step(double inverse_step) const { return limits_.time_step_factor / inverse_step; }
 
   void move_far(double kick, double drift) {
     sweep_.move_far(near_, rows_moving_, kick, drift);
-    particle_.kick(far_contact_, kick);
+    if (drift > 0) zone_.close_far(near_, rows_moving_, kick, drift);
   }
 
   void move_near(double kick, double drift) {
     sweep_.move_near(near_, kick, drift);
-    particle_.kick(near_contact_, kick);
+    if (drift > 0) zone_.close_near(near_, kick, drift);
     particle_.drift(drift);
     time_ += drift;
     last_step_ = drift;
@@ -272,6 +197,7 @@ class March {
     const double short_step = last_step_;
     move_far(0.5 * last_far_step_, 0);
     move_near(0.5 * short_step, 0);
+    zone_.hold();
   }
 
   // What look() makes of this moment, with velocities at the time of the displacements. Afterwards all stands where it stood.
@@ -290,7 +216,7 @@ class March {
 
   HistoryPoint history_point() {
     const auto shares = [this] { return energy_shares(rows_moving_); };
-    return {time_, particle_.tip(), particle_.speed(), force(), at_one_time(shares)};
+    return {time_, particle_.tip(), particle_.speed(), zone_.force(), at_one_time(shares)};
   }
 
   Moment moment() const { return {time_, particle_.tip(), result_.steps}; }
@@ -312,8 +238,7 @@ class March {
     energy.viscosity = viscous_work_ + own.viscous;
     energy.relaxation = relaxing_work_;
     energy.eroded = eroded_energy_;
-    energy.contact = far_contact_.spring_energy + near_contact_.spring_energy;
-    energy.contact_dropped = dropped_energy_;
+    energy.collisions = zone_.collisions() + own.collisions;
     for (const auto& [key, share, words] : energy_terms) energy.*share /= impact_energy_;
     return energy;
   }
@@ -334,7 +259,7 @@ class March {
     result_.sideways = particle_.sideways();
     result_.turn = particle_.turn();
     result_.target_momentum = target_momentum();
-    recorder_.finish({time_, particle_.tip(), particle_.speed(), force(), energy});
+    recorder_.finish({time_, particle_.tip(), particle_.speed(), zone_.force(), energy});
     if (observer_) observer_->see(frame_as_is(true));
     result_.history = recorder_.take();
     result_.helper_cpu_seconds = sweep_.helper_cpu_seconds();
@@ -349,19 +274,16 @@ class March {
   const TargetSolid solid_;
   Sweep<Real> sweep_;
   ParticleRun particle_;
+  ContactZone<Real, ParticleRun> zone_;
   Recorder recorder_;
   FrameObserver* const observer_;  // null where nobody looks on
   const int substeps_;
   NearCells before_;         // those of the last move
   NearCells near_;           // elements that take the short step
-  Rows around_{0, 0};        // rows of them around the particle
-  ContactRegion contact_{};  // nodes that the particle can meet
-  int lifted_rows_ = 0;
-  typename ParticleRun::Contact far_contact_, near_contact_;
   SweepReport forces_;
   ImpactResult result_;
   double time_ = 0, step_ = 0, last_step_ = 0, last_far_step_ = 0, far_inverse_step_ = 0;
-  double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0, dropped_energy_ = 0;
+  double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0;
   int rows_moving_ = 0;
   bool inside_out_ = false;  // an element that does not erode
 };

@@ -29,6 +29,11 @@ class NearCells {
   // Runs of near rows, from top to bottom: of a column of elements, of a column of nodes.
   const std::vector<Rows>& elements(int column) const { return element_rows_[column]; }
   const std::vector<Rows>& nodes(int column) const { return node_rows_[column]; }
+  // The same, of near cells that may never have been laid out.
+  const std::vector<Rows>& nodes_or_none(int column) const {
+    static const std::vector<Rows> none;
+    return node_rows_.empty() ? none : node_rows_[column];
+  }
 
  private:
   long index(int column, int row) const { return static_cast<long>(column) * groups_ + row / lanes_; }

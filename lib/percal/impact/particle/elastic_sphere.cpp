@@ -51,23 +51,12 @@ int elements_on_particle_radius(const Problem& problem) {
   return std::max(static_cast<int>(std::lround(problem.elements_per_radius)), fewest_particle_elements);
 }
 
-ElasticContact& ElasticContact::operator+=(const ElasticContact& other) {
-  ContactReport::operator+=(other);
-  loads.resize(std::max(loads.size(), other.loads.size()));
-  for (std::size_t b = 0; b < other.loads.size(); ++b) {
-    loads[b].stiffness += other.loads[b].stiffness;
-    for (int d = 0; d < 2; ++d) loads[b].force[d] += other.loads[b].force[d];
-  }
-  return *this;
-}
-
 ElasticSphereRun::ElasticSphereRun(const Problem& problem) : ElasticSphereRun(problem, sphere_mesh(problem)) {}
 
 ElasticSphereRun::ElasticSphereRun(const Problem& problem, const Disc& disc)
     : body_(disc.mesh, Geometry::axisymmetric, solid_of(problem, disc)),
       boundary_(disc.boundary),
-      outline_(bulge_of(disc)),
-      target_springs_(step_limits(problem).largest_contact_stiffness_per_mass) {
+      outline_(bulge_of(disc)) {
   for (int n = 0; n < body_.nodes(); ++n) {
     body_.set_velocity(n, {0, -problem.speed_factor});
     mass_ += body_.mass(n);
@@ -77,7 +66,7 @@ ElasticSphereRun::ElasticSphereRun(const Problem& problem, const Disc& disc)
   follow_outline();
   look_at_step();
   const StepLimits limits = step_limits(problem);
-  const double steps = steps_in(limits.time_step_factor * limits.first_step / problem.rates);
+  const double steps = steps_in(limits.time_step_factor * limits.first_step / rates_of(problem));
   if (problem.geometry != Geometry::axisymmetric)
     failure_ = "only a sphere in an axisymmetric scene can be elastic";
   else if (!(steps <= most_particle_steps)) {
@@ -89,10 +78,8 @@ ElasticSphereRun::ElasticSphereRun(const Problem& problem, const Disc& disc)
   }
 }
 
-// Undamped springs on the nodes add to the square of the body's frequency what they have over the masses on both sides.
 double ElasticSphereRun::steps_in(double time) const {
-  const double inverse = std::sqrt(own_inverse_square_step_ + (target_springs_ + spring_stiffness_per_mass_) / 4);
-  return std::max(1.0, std::ceil(time * inverse / particle_step_factor));
+  return std::max(1.0, std::ceil(time * std::sqrt(own_inverse_square_step_) / particle_step_factor));
 }
 
 void ElasticSphereRun::look_at_step() {
@@ -110,45 +97,91 @@ void ElasticSphereRun::follow_outline() {
   outline_.set(std::move(points));
 }
 
-// A node inside the outline by `gap` is pushed out with force stiffness gap along the gap's gradient; the edge is pushed back.
-Point ElasticSphereRun::meet(const Point& at, double stiffness, ElasticContact& contact) const {
-  const Inside inside = outline_.inside(at);
-  if (inside.ways == 0) return {};
-  contact.loads.resize(boundary_.size());
-  Point push{};
-  for (int w = 0; w < inside.ways; ++w) {
-    const WayOut& way = inside.way[w];
-    const double part = stiffness / inside.ways, f = part * inside.gap;
-    for (int d = 0; d < 2; ++d) push[d] += f * way.away[d];
+void ElasticSphereRun::foresee(double time) { ahead_ = time; }
+
+OutlineTouch ElasticSphereRun::on_outline(const Touch& touch) const {
+  const Inside inside = outline_.inside(seen_from_here(touch.x, touch.z));
+  OutlineTouch on;
+  for (int w = 0; w < inside.ways; ++w)
     for (int end = 0; end < 2; ++end) {
-      OutlineLoad& load = contact.loads[way.edge + end];
-      for (int d = 0; d < 2; ++d) load.force[d] -= f * way.by_end[end][d];
-      load.stiffness += part * (end == 0 ? 1 - way.share : way.share);
+      const Point& by = inside.way[w].by_end[end];
+      on.node[on.count] = inside.way[w].edge + end;
+      on.by[on.count++] = {by[0] / inside.ways, by[1] / inside.ways};
+    }
+  return on;
+}
+
+namespace {
+
+constexpr int most_sweeps = 50;
+constexpr double settled = 1e-9;  // of the impact speed
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+}  // namespace
+
+// Within the step a wave of the sphere crosses as many elements as it takes own steps: so much mass stands behind a node of the
+// outline, at most all of it. Projected Gauss-Seidel.
+double ElasticSphereRun::meet(std::vector<Touch>& touches, ContactColumns) {
+  if (touches.empty()) return 0;
+  const double depth = steps_in(ahead_), whole_speed = -speed();  // upwards
+  std::vector<OutlineTouch> on;
+  std::vector<Point> velocity, impulse(boundary_.size(), Point{});
+  std::vector<double> mass;
+  for (const int node : boundary_) {
+    velocity.push_back(body_.velocity(node));
+    mass.push_back(std::min(mass_, depth * body_.mass(node)));
+  }
+  std::vector<double> compliance;
+  for (Touch& touch : touches) {
+    on.push_back(on_outline(touch));
+    double sum = touch.steepness() / touch.mass;
+    if (ahead_ > 0) {
+      const Inside was = outline_.inside({touch.from_x, -touch.from_z});
+      if (was.ways > 0) touch.rate -= (1 - overlap_taken_back) * was.gap / ahead_;
+    }
+    for (int k = 0; k < on.back().count; ++k) {
+      const int b = on.back().node[k];
+      sum += dot(on.back().by[k], on.back().by[k]) / mass[b];
+      if (ahead_ > 0) touch.rate += dot(on.back().by[k], {velocity[b][0], velocity[b][1] - whole_speed});
+    }
+    compliance.push_back(sum);
+  }
+  for (int sweep = 0, moved = 1; sweep < most_sweeps && moved; ++sweep) {
+    moved = 0;
+    for (std::size_t t = 0; t < touches.size(); ++t) {
+      double rate = touches[t].rate - touches[t].steepness() * touches[t].impulse / touches[t].mass;
+      for (int k = 0; k < on[t].count; ++k) {
+        const int b = on[t].node[k];
+        rate += dot(on[t].by[k], {impulse[b][0] / mass[b], impulse[b][1] / mass[b]});
+      }
+      const double more = std::max(-touches[t].impulse, rate / compliance[t]);
+      touches[t].impulse += more;
+      moved |= std::abs(more * compliance[t]) > settled;
+      for (int k = 0; k < on[t].count; ++k)
+        for (int d = 0; d < 2; ++d) impulse[on[t].node[k]][d] -= more * on[t].by[k][d];
     }
   }
-  contact.force -= push[1];
-  contact.spring_energy += 0.5 * stiffness * inside.gap * inside.gap;
-  contact.largest_gap = std::max(contact.largest_gap, inside.gap);
-  return push;
+  double lost = 0;
+  for (const Touch& touch : touches) lost -= touch.impulse * touch.mean_velocity();
+  const BodyEnergy before = body_.energy();
+  kick(impulse);
+  return lost - (body_.energy().kinetic - before.kinetic);
 }
 
 // What moves the sphere as a whole is given to all nodes at once, as to a rigid one. What is left, which only deforms it, has
 // no sum; drift() gives it out evenly, for a blow on light nodes at the outline would make them ring.
-void ElasticSphereRun::kick(const Contact& contact, double time) {
-  if (contact.loads.empty()) return;
-  const double whole = time * contact.force / mass_;  // change of velocity, upwards
+void ElasticSphereRun::kick(const std::vector<Point>& impulses) {
+  double sum = 0;
+  for (const Point& impulse : impulses) sum += impulse[1];
+  const double whole = sum / mass_;  // change of velocity, upwards
   for (int n = 0; n < body_.nodes(); ++n) {
     body_.set_velocity(n, {body_.velocity(n)[0], body_.velocity(n)[1] + whole});
     blow_[n][1] -= whole;
   }
-  for (std::size_t b = 0; b < contact.loads.size(); ++b) {
-    const int node = boundary_[b];
-    const double mass = body_.mass(node);
+  for (std::size_t b = 0; b < impulses.size(); ++b)
     for (int d = 0; d < 2; ++d)
-      if (!body_.held(node, d)) blow_[node][d] += time * contact.loads[b].force[d] / mass;
-    spring_stiffness_per_mass_ =
-        std::max(spring_stiffness_per_mass_, particle_spring_margin * contact.loads[b].stiffness / mass);
-  }
+      if (!body_.held(boundary_[b], d)) blow_[boundary_[b]][d] += impulses[b][d] / body_.mass(boundary_[b]);
 }
 
 void ElasticSphereRun::give_out(double share) {
@@ -167,10 +200,18 @@ void ElasticSphereRun::drift(double time) {
   const int steps = static_cast<int>(needed);
   const double step = time / steps;
   for (int k = 0; k < steps; ++k) {
+    std::vector<Point> before(body_.nodes());
+    for (int n = 0; n < body_.nodes(); ++n) before[n] = body_.velocity(n);
+    const auto count_work = [&] {
+      for (int n = 0; n < body_.nodes(); ++n)
+        rest_work_ += body_.mass(n) / steps / 2 *
+                      dot(blow_[n], {before[n][0] + body_.velocity(n)[0], before[n][1] + body_.velocity(n)[1]});
+    };
     give_out(1.0 / steps);
-    if (step == 0) continue;
-    body_.step(k == 0 ? 0.5 * step : step, step);
-    body_.forces();
+    if (k == 0) count_work();
+    if (step > 0) body_.step(k == 0 ? 0.5 * step : step, step);
+    if (k > 0) count_work();
+    if (step > 0) body_.forces();
   }
   std::fill(blow_.begin(), blow_.end(), Point{});
   if (step == 0) return;
@@ -184,14 +225,14 @@ Point ElasticSphereRun::outline_velocity(const WayOut& way) const {
 }
 
 Overlap ElasticSphereRun::overlap(double x, double z) const {
-  const Inside inside = outline_.inside({x, -z});
+  const Inside inside = outline_.inside(seen_from_here(x, z));
   if (inside.ways == 0) return {};
   const Point away = inside.away();
   return {inside.gap, away[0], -away[1]};
 }
 
 PointVelocity ElasticSphereRun::velocity_at(double x, double z) const {
-  const Inside inside = outline_.inside({x, -z});
+  const Inside inside = outline_.inside(seen_from_here(x, z));
   if (inside.ways == 0) return {0, speed()};
   const Point v = outline_velocity(inside.way[0]);
   return {v[0], -v[1]};
@@ -199,7 +240,7 @@ PointVelocity ElasticSphereRun::velocity_at(double x, double z) const {
 
 ParticleEnergy ElasticSphereRun::energy() const {
   const BodyEnergy energy = body_.energy();
-  return {energy.kinetic, energy.elastic + energy.hourglass, energy.viscous};
+  return {energy.kinetic, energy.elastic + energy.hourglass, energy.viscous, -rest_work_};
 }
 
 }  // namespace percal

@@ -1,10 +1,11 @@
 // The particles that the march can shoot. Each keeps its own motion and meets the nodes of the target; the march asks:
-//   touch(...)             adds the contact forces to the nodes; the report is what they do to the particle
-//   kick(report, time)     velocity by the report's force; speed_change: how much that makes of the speed
+//   foresee(time)          where it would be so much later
+//   find(...), overlap     the nodes of one column that would then be inside it; how deep, and the way out
+//   meet(touches, ...)     their impulses, its own velocities after them, and the kinetic energy lost
 //   drift(time)            position by the velocity
 //   tip, top               its lowest and highest point, downwards positive
 //   speed                  downwards, of the centre of mass
-//   overlap, velocity_at   of one point with the particle
+//   velocity_at            of one of its points
 //   energy                 kinetic, and what it holds and loses where it deforms
 //   failure                why the run cannot go on, in words
 //   piece                  what an observer sees of it (frame.hpp)
@@ -17,6 +18,7 @@
 
 #include "percal/impact/frame.hpp"
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/impact/particle/touch.hpp"
 #include "percal/impact/target/block.hpp"
 #include "percal/problem/problem.hpp"
 
@@ -34,59 +36,39 @@ struct ParticleEnergy {
   double kinetic = 0;
   double stored = 0;   // in its deformation
   double viscous = 0;  // lost to its viscosity up to now
+  double collisions = 0;  // lost up to now where its outline took the target's impulses in parts
 };
 
 // What a particle that does not deform answers to the questions that only others have to think about.
 struct NeverDeforms {
-  using Contact = ContactReport;
-  static constexpr double spring_stiffness_per_mass() { return 0; }  // its nodes do not limit the step
   static constexpr const char* failure() { return ""; }
 };
-
-// Columns and rows of nodes that are looked at for contact.
-struct ContactRegion {
-  int column_begin, column_end;
-  Rows rows;
-};
-
-// Sums the reports of the columns, from the outermost inwards. Those of a whole mesh are summed in pairs, left and right, so that
-// the mirrored scene has the mirrored sum to the last bit, and half a model has half of it.
-ContactReport sum_of_columns(std::span<const ContactReport> columns, bool whole);
-
-// The columns' reports of one look, and their sum.
-template <class Real, class Touch>
-ContactReport touch_columns(const Block<Real>& block, const ContactRegion& region, bool whole,
-                            std::vector<ContactReport>& reports, Touch touch) {
-  reports.assign(region.column_end - region.column_begin, {});
-  for (int i = region.column_begin; i < region.column_end; ++i)
-    touch(ContactNodes{i, block.mesh().radius[i], block.mesh().row_height, region.rows},
-          reports[i - region.column_begin]);
-  return sum_of_columns(reports, whole);
-}
 
 // Straight down, as it stands. In plane strain a cylinder.
 class SphereRun : public NeverDeforms {
  public:
   explicit SphereRun(const Problem& problem);
 
+  void foresee(double time) { ahead_ = centre() + speed_ * time; }
   template <class Real>
-  ContactReport touch(const Kernel<Real>& kernel, const Block<Real>& block, const NodeForces<Real>& forces,
-                      const ContactRegion& region) {
-    return touch_columns(block, region, whole_, reports_, [&](const ContactNodes& nodes, ContactReport& report) {
-      kernel.sphere_contact(block.view(), forces, nodes, centre(), report);
-    });
+  int find(const Kernel<Real>& kernel, const Block<Real>& block, const ContactNodes& nodes, int* found) const {
+    return kernel.nodes_in_sphere(block.view(), nodes, ahead_, found);
   }
-  void kick(const ContactReport& report, double time) { speed_ += speed_change(report, time); }
+  double meet(std::vector<Touch>& touches, ContactColumns columns) {
+    BodyMotion motion{.down = speed_};
+    const double lost = RigidBody{{.down = 1 / mass_}, 0, ahead_, whole_}.part(touches, columns, motion);
+    speed_ = motion.down;
+    return lost;
+  }
   void drift(double time) { tip_ += speed_ * time; }
 
   double tip() const { return tip_; }
   double top() const { return tip_ - 2; }
   double speed() const { return speed_; }
-  double speed_change(const ContactReport& report, double time) const { return -report.force / mass_ * time; }
   double sideways() const { return 0; }
   double turn() const { return 0; }
   Overlap overlap(double x, double z) const {
-    const double down = z - centre(), distance = std::sqrt(x * x + down * down);
+    const double down = z - ahead_, distance = std::sqrt(x * x + down * down);
     if (distance >= 1 || distance == 0) return {};
     return {1 - distance, x / distance, down / distance};
   }
@@ -96,9 +78,8 @@ class SphereRun : public NeverDeforms {
 
  private:
   double centre() const { return tip_ - 1; }
-  double mass_, speed_, tip_ = 0;
+  double mass_, speed_, tip_ = 0, ahead_ = 0;
   bool whole_;
-  std::vector<ContactReport> reports_;
 };
 
 // A convex polygon: a prism in plane strain, a body of revolution in an axisymmetric scene. Straight down, or free to turn and to
@@ -107,43 +88,45 @@ class PolygonRun : public NeverDeforms {
  public:
   explicit PolygonRun(const Problem& problem);
 
+  void foresee(double time);
   template <class Real>
-  ContactReport touch(const Kernel<Real>& kernel, const Block<Real>& block, const NodeForces<Real>& forces,
-                      const ContactRegion& region) {
-    return touch_columns(block, region, whole_, reports_, [&](const ContactNodes& nodes, ContactReport& report) {
-      kernel.polygon_contact(block.view(), forces, nodes, sides_.data(), static_cast<int>(sides_.size()), x_, z_,
-                             report);
-    });
+  int find(const Kernel<Real>& kernel, const Block<Real>& block, const ContactNodes& nodes, int* found) const {
+    return kernel.nodes_in_polygon(block.view(), nodes, ahead_.sides.data(), static_cast<int>(ahead_.sides.size()),
+                                   ahead_.x, ahead_.z, found);
   }
-  void kick(const ContactReport& report, double time);
+  double meet(std::vector<Touch>& touches, ContactColumns columns);
   void drift(double time);
 
-  double tip() const { return z_ + lowest_; }
-  double top() const { return z_ + highest_; }
-  double speed() const { return speed_; }
-  double speed_change(const ContactReport& report, double time) const { return -report.force / mass_ * time; }
-  double sideways() const { return x_; }
-  double turn() const { return angle_; }
+  double tip() const { return here_.z + here_.lowest; }
+  double top() const { return here_.z + here_.highest; }
+  double speed() const { return motion_.down; }
+  double sideways() const { return here_.x; }
+  double turn() const { return here_.angle; }
   Overlap overlap(double x, double z) const;
   PointVelocity velocity_at(double x, double z) const {
-    return {sideways_speed_ + spin_ * (z - z_), speed_ - spin_ * (x - x_)};
+    return {motion_.right + motion_.spin * (z - here_.z), motion_.down - motion_.spin * (x - here_.x)};
   }
   ParticleEnergy energy() const {
-    const double moving = mass_ * (speed_ * speed_ + sideways_speed_ * sideways_speed_);
-    return {.kinetic = 0.5 * (moving + inertia_ * spin_ * spin_)};
+    const double moving = mass_ * (motion_.down * motion_.down + motion_.right * motion_.right);
+    return {.kinetic = 0.5 * (moving + inertia_ * motion_.spin * motion_.spin)};
   }
   ParticlePiece piece(const Problem& problem) const;
 
  private:
-  void turn_sides();
+  // Where it is, by its centre of mass, with z downwards.
+  struct Place {
+    double x = 0, z = 0, angle = 0;
+    double lowest = 0, highest = 0;  // of the vertices, from the centre of mass
+    std::vector<PolygonSide> sides;
+  };
+  void move(Place& place, double time) const;
+  void turn_sides(Place& place) const;
+
   RigidPolygon profile_;
   bool whole_;
   double mass_, inertia_;
-  double x_ = 0, z_ = 0, angle_ = 0;                  // of the centre of mass
-  double sideways_speed_ = 0, speed_ = 1, spin_ = 0;  // spin anticlockwise
-  double lowest_ = 0, highest_ = 0;                   // of the vertices below the centre of mass
-  std::vector<PolygonSide> sides_;
-  std::vector<ContactReport> reports_;
+  BodyMotion motion_;
+  Place here_, ahead_;
 };
 
 }  // namespace percal

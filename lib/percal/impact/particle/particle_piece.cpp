@@ -52,10 +52,10 @@ ParticlePiece PolygonRun::piece(const Problem&) const {
   const Polygon polygon = whole_ ? profile_.vertices : right_half(profile_.vertices);
   double lowest = 0;  // of the vertices at first, when the tip touches the surface
   for (const Point& vertex : profile_.vertices) lowest = std::min(lowest, vertex[1]);
-  const double cosine = std::cos(angle_), sine = std::sin(angle_);
+  const double cosine = std::cos(here_.angle), sine = std::sin(here_.angle);
   ParticlePiece piece;
   for (const auto& [x, y] : polygon) {
-    const Point now{x_ + cosine * x - sine * y, -z_ + sine * x + cosine * y};
+    const Point now{here_.x + cosine * x - sine * y, -here_.z + sine * x + cosine * y};
     const PointVelocity velocity = velocity_at(now[0], -now[1]);
     piece.position.push_back(now);
     piece.displacement.push_back({now[0] - x, now[1] - (y - lowest)});

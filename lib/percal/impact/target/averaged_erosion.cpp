@@ -88,7 +88,7 @@ template <class Real>
 AveragedErosion<Real>::AveragedErosion(const Problem& problem, const Block<Real>& block, const TargetSolid& solid) {
   if (solid.erosion_kind != ErosionKind::averaged_energy) return;
   const GradedMesh& mesh = block.mesh();
-  largest_average_ += averaging_allowance * mesh.row_height;
+  largest_average_ += averaging_allowance * mesh.row_height / std::get<AverageWithin>(problem.erosion_average).length;
   const Weights weights(problem, block.shapes(), mesh, std::get<AverageWithin>(problem.erosion_average).length);
   for (int i = 0; i < mesh.columns(); ++i) {
     pairs_.emplace_back();

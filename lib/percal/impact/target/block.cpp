@@ -13,19 +13,18 @@ namespace {
 
 // Layers take whole rows; the last one takes what is left.
 std::vector<LayerRows> layers_of(const Problem& problem, const GradedMesh& mesh) {
-  const std::vector<double> contact = contact_stiffness_ratios(problem);
   std::vector<LayerRows> layers;
   double bottom = problem.depth;
   int begin = 0;
   const auto end_at = [&](double depth) {
     return std::clamp(static_cast<int>(std::lround(depth / mesh.row_height)), begin, mesh.rows);
   };
-  layers.push_back({begin, problem.below.empty() ? mesh.rows : end_at(bottom), 1, 1});
+  layers.push_back({begin, problem.below.empty() ? mesh.rows : end_at(bottom), 1});
   for (const LowerLayer& layer : problem.below) {
     begin = layers.back().end;
     bottom += layer.depth;
     layers.push_back(
-        {begin, &layer == &problem.below.back() ? mesh.rows : end_at(bottom), layer.density, contact[layers.size()]});
+        {begin, &layer == &problem.below.back() ? mesh.rows : end_at(bottom), layer.density});
   }
   return layers;
 }
@@ -40,8 +39,8 @@ int relaxing_terms_of(const Problem& problem) {
 int fields_per_element(const Problem& problem) {
   const int terms = relaxing_terms_of(problem);
   const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
-  return 12 + (averaged ? 1 : 0) + (problem.rates == 2 ? 2 : 0) + (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) +
-         (terms > 0 ? 4 * (terms + 2) : 0);
+  return 12 + (averaged ? 1 : 0) + (rates_of(problem) == 2 ? 2 : 0) +
+         (problem.hourglass_form == HourglassForm::viscosity ? 2 : 0) + (terms > 0 ? 4 * (terms + 2) : 0);
 }
 
 template <class Real>
@@ -50,7 +49,7 @@ void Block<Real>::Free::operator()(void* memory) const {
 }
 
 template <class Real>
-Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contact_stiffness_per_mass, int lanes)
+Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, int lanes)
     : mesh_(mesh), layers_(layers_of(problem, mesh)) {
   const bool plane = problem.geometry == Geometry::plane_strain;
   for (int i = 0; i < mesh.columns(); ++i) {
@@ -62,7 +61,7 @@ Block<Real>::Block(const Problem& problem, const GradedMesh& mesh, double contac
                        .at_axis = !plane && i == 0});
   }
   allocate(lanes, problem);
-  fill(problem, contact_stiffness_per_mass);
+  fill(problem);
 }
 
 template <class Real>
@@ -74,7 +73,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
   if (stride * sizeof(Real) % 4096 == 0) stride += line;
   entries_ = static_cast<std::size_t>(mesh_.columns() + 1) * stride + 2 * line;
   const std::size_t bytes = (entries_ + line) / line * line * sizeof(Real);
-  const bool with_near_forces = problem.rates == 2;
+  const bool with_near_forces = rates_of(problem) == 2;
   const bool averaged = erosion_kind_of(problem) == ErosionKind::averaged_energy;
   const bool viscous_hourglass = problem.hourglass_form == HourglassForm::viscosity;
   const int terms = relaxing_terms_of(problem);
@@ -90,7 +89,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            .v_r = field(),
            .v_z = field(),
            .inverse_mass = field(),
-           .contact_stiffness = field(),
+           .touchable = field(),
            .jacobian = field(),
            .viscous_pressure = field(),
            .erosion_measure = field(),
@@ -102,7 +101,7 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
            view_.v_r,
            view_.v_z,
            view_.inverse_mass,
-           view_.contact_stiffness,
+           view_.touchable,
            view_.jacobian,
            view_.viscous_pressure,
            view_.erosion_measure,
@@ -127,19 +126,15 @@ void Block<Real>::allocate(int lanes, const Problem& problem) {
 }
 
 template <class Real>
-void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass) {
+void Block<Real>::fill(const Problem& problem) {
   const int columns = mesh_.columns(), rows = mesh_.rows;
   std::fill_n(view_.jacobian, entries_, Real(1));
   std::fill_n(view_.erosion_measure, entries_, Real(erosion_kind_of(problem) == ErosionKind::stretch ? 1 : 0));
   column_mass_.assign(columns + 1, 0);
   row_density_.assign(rows + 1, 0);
-  row_contact_.assign(rows + 1, 0);
   for (const LayerRows& layer : layers_)
     for (int j = layer.begin; j < layer.end; ++j)
-      for (int q = j; q <= j + 1; ++q) {
-        row_density_[q] += 0.5 * layer.density;
-        row_contact_[q] += 0.5 * layer.density * layer.contact;
-      }
+      for (int q = j; q <= j + 1; ++q) row_density_[q] += 0.5 * layer.density;
   for (int i = 0; i < columns; ++i) {
     const double corner_mass = shapes_[i].thickness * shapes_[i].width * mesh_.row_height / 4;
     column_mass_[i] += 2 * corner_mass;
@@ -155,9 +150,9 @@ void Block<Real>::fill(const Problem& problem, double contact_stiffness_per_mass
     for (int j = 0; j <= rows; ++j) {
       const double m = mass(i, j);
       const bool at_wall = i == columns || (problem.whole && i == 0);
-      view_.inverse_mass[at(i, j)] = at_wall || j > last_moving_row ? Real(0) : static_cast<Real>(1 / m);
-      view_.contact_stiffness[at(i, j)] =
-          static_cast<Real>(contact_stiffness_per_mass * (column_mass_[i] * row_contact_[j]));
+      const bool is_free = !at_wall && j <= last_moving_row;
+      view_.inverse_mass[at(i, j)] = is_free ? static_cast<Real>(1 / m) : Real(0);
+      view_.touchable[at(i, j)] = is_free ? Real(1) : Real(0);
     }
 }
 

@@ -13,8 +13,7 @@ namespace percal {
 // Which rows of elements belong to one layer, and what it is made of.
 struct LayerRows {
   int begin, end;
-  double density;      // over the first layer's
-  double contact = 1;  // contact stiffness per mass over the first layer's
+  double density;  // over the first layer's
 };
 
 // Numbers that a block keeps for each element or node, besides a byte.
@@ -25,7 +24,7 @@ int fields_per_element(const Problem& problem);
 template <class Real>
 class Block {
  public:
-  Block(const Problem& problem, const GradedMesh& mesh, double contact_stiffness_per_mass, int lanes);
+  Block(const Problem& problem, const GradedMesh& mesh, int lanes);
 
   // Only who holds a block that is not const may write to its fields; others look.
   const FieldsView<Real>& view() { return view_; }
@@ -45,6 +44,7 @@ class Block {
   const std::vector<ColumnShape>& shapes() const { return shapes_; }
   const std::vector<LayerRows>& layers() const { return layers_; }
   const GradedMesh& mesh() const { return mesh_; }
+  bool is_whole() const { return mesh_.radius.front() < 0; }
   long at(int column, int row) const { return static_cast<long>(column) * view_.stride + row; }
   double mass(int column, int row) const { return column_mass_[column] * row_density_[row]; }
   std::size_t bytes() const { return bytes_; }
@@ -53,17 +53,12 @@ class Block {
   std::vector<Real> motion() const;
   void put_back(const std::vector<Real>& motion);
 
-  // Takes an element out; calls freed(node column, node row) for each corner that thereby loses its last element. Such
-  // nodes meet the particle no more unless `keep_contact`.
-  template <class Freed>
-  void take_out(int column, int row, bool keep_contact, Freed freed) {
+  // Takes an element out. Nodes that thereby lose their last one meet the particle no more unless `keep_contact`.
+  void take_out(int column, int row, bool keep_contact) {
     view_.alive[at(column, row)] = 0;
     for (int i = column; i <= column + 1; ++i)
       for (int j = row; j <= row + 1; ++j)
-        if (--live_elements_[at(i, j)] == 0 && !keep_contact) {
-          freed(i, j);
-          view_.contact_stiffness[at(i, j)] = 0;
-        }
+        if (--live_elements_[at(i, j)] == 0 && !keep_contact) view_.touchable[at(i, j)] = 0;
   }
   bool has_live_element(int column, int row) const { return live_elements_[at(column, row)] > 0; }
 
@@ -72,14 +67,13 @@ class Block {
     void operator()(void* memory) const;
   };
   void allocate(int lanes, const Problem& problem);
-  void fill(const Problem& problem, double contact_stiffness_per_mass);
+  void fill(const Problem& problem);
 
   GradedMesh mesh_;
   std::vector<ColumnShape> shapes_;
   std::vector<LayerRows> layers_;
   std::vector<double> column_mass_;  // of an inner node of each column at density 1
   std::vector<double> row_density_;  // mean density of the two elements above and below a node; 0 outside
-  std::vector<double> row_contact_;  // the same of density times LayerRows::contact
   std::vector<std::uint8_t> live_elements_;
   std::size_t entries_ = 0, bytes_ = 0;
   std::unique_ptr<void, Free> memory_;

@@ -45,12 +45,6 @@ std::vector<Layer> layers_of(const Problem& p) {
   return layers;
 }
 
-// Per density. Where even that wave is slower than the particle, nodes would pass through its springs: then the
-// particle's speed counts.
-double contact_modulus(const Problem& p, const Layer& layer) {
-  return std::max((least_bulk_ratio + 4.0 / 3) * layer.mu / layer.density, p.speed_factor * p.speed_factor);
-}
-
 PressureLaw pressure_law_of(VolumetricLaw law) {
   switch (law) {
     case VolumetricLaw::quadratic: return PressureLaw::quadratic;
@@ -178,26 +172,13 @@ GeneralSolidView<Real> TargetSolid::view(Block<Real>& block) const {
 template GeneralSolidView<float> TargetSolid::view(Block<float>&) const;
 template GeneralSolidView<double> TargetSolid::view(Block<double>&) const;
 
-std::vector<double> contact_stiffness_ratios(const Problem& p) {
-  const std::vector<Layer> layers = layers_of(p);
-  std::vector<double> ratios;
-  for (const Layer& layer : layers) ratios.push_back(contact_modulus(p, layer) / contact_modulus(p, layers.front()));
-  return ratios;
-}
-
 StepLimits step_limits(const Problem& p) {
   const GradedMesh mesh = mesh_of(p);
-  const std::vector<Layer> layers = layers_of(p);
-  const double reference = undeformed_step(mesh, 0, contact_modulus(p, layers.front()));
-  const double contact = p.contact_stiffness / (reference * reference);
-  double first_step = infinite, largest_ratio = 1;
-  for (const Layer& layer : layers)
+  double first_step = infinite;
+  for (const Layer& layer : layers_of(p))
     first_step = std::min(first_step, undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
-  for (const double ratio : contact_stiffness_ratios(p)) largest_ratio = std::max(largest_ratio, ratio);
   return {.first_step = first_step,
-          .time_step_factor = is_supersonic(p) ? std::min(p.time_step_factor, supersonic_step) : p.time_step_factor,
-          .contact_stiffness_per_mass = contact,
-          .largest_contact_stiffness_per_mass = largest_ratio * contact};
+          .time_step_factor = is_supersonic(p) ? std::min(p.time_step_factor, supersonic_step) : p.time_step_factor};
 }
 
 }  // namespace percal

@@ -60,7 +60,6 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, double depth) 
           {"eroded", r.eroded},
           {"smallest_jacobian", finite(r.smallest_jacobian)},
           {"smallest_step_over_first", finite(r.smallest_step)},
-          {"largest_gap_over_element", finite(r.largest_gap)},
           {"turn_rad", finite(r.turn)},
           {"energy_closure", finite(r.energy.closure())},
           {"cpu_s", finite(run.cpu_seconds)},
@@ -100,7 +99,7 @@ Json impact_to_json(const ImpactFindings& f) {
   for (const LeftOut& omission : f.reduction.left_out)
     left_out.push_back({{"what", omission.what}, {"why", omission.why}});
   if (!f.runs.empty())
-    for (const std::string& warning : warnings(f.penetration, f.runs, f.reduction.problem))
+    for (const std::string& warning : warnings(f.penetration, f.runs))
       sentences.push_back(warning);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));

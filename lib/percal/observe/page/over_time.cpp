@@ -147,8 +147,8 @@ Section impact_energy_section(const Json& result) {
   table.notes = {
       "A sum other than 100 % is the solver's own energy error; the worst of the runs is off by " +
           percent(number(result, "energy_worst_closure"), 3) + ".",
-      "Hourglass springs, bulk viscosity and dropped contact springs are numerical: they stand for nothing in the "
-      "material. What the scene does not have is not listed."};
+      "Hourglass springs, bulk viscosity and collisions are numerical: they stand for nothing in the material. "
+      "What the scene does not have is not listed."};
   add(section, table);
   if (at(history, "energy").is_object())
     add(section, ledger_figure(times_of(history), at(history, "energy")));

@@ -57,7 +57,6 @@ Json run_to_json(const RunCell& run) {
           {"energy_closure", finite(r.energy.closure())},
           {"smallest_jacobian", finite(r.smallest_jacobian)},
           {"smallest_step", finite(r.smallest_step)},
-          {"overlap_over_radius", finite(run.overlap())},
           {"numerical_loss", finite(r.energy.numerical_loss())},
           {"elements", r.elements},
           {"eroded", r.eroded},
@@ -84,12 +83,11 @@ Json cell_to_json(const CellResult& result) {
 // Of the cells that ran and are not unstable.
 Json summary_to_json(const std::vector<CellResult>& results) {
   double worst_closure = 0, smallest_jacobian = 1, smallest_step = 1;
-  int with_troubles = 0, with_soft_contact = 0;
+  int with_troubles = 0;
   for (const auto& result : results) {
     with_troubles += !result.troubles.empty();
     if (!result.run || result.run->evaluation.result.outcome == Outcome::unstable) continue;
     const ImpactResult& r = result.run->evaluation.result;
-    with_soft_contact += result.run->overlap() > tolerated_overlap;
     worst_closure = std::max(worst_closure, std::abs(r.energy.closure()));
     smallest_jacobian = std::min(smallest_jacobian, r.smallest_jacobian);
     smallest_step = std::min(smallest_step, r.smallest_step);
@@ -97,8 +95,7 @@ Json summary_to_json(const std::vector<CellResult>& results) {
   return {{"worst_closure", finite(worst_closure)},
           {"smallest_jacobian", finite(smallest_jacobian)},
           {"smallest_step", finite(smallest_step)},
-          {"cells_with_troubles", with_troubles},
-          {"cells_with_soft_contact", with_soft_contact}};
+          {"cells_with_troubles", with_troubles}};
 }
 
 // --- the page -----------------------------------------------------------------------------------------------------
@@ -107,7 +104,6 @@ std::string notes_of(const Json& cell) {
   std::vector<std::string> notes = texts(at(cell, "troubles"));
   if (!text(cell, "reason").empty()) notes.push_back(text(cell, "reason"));
   if (!text(cell, "same_problem_as").empty()) notes.push_back("the same problem as " + text(cell, "same_problem_as"));
-  if (number_or(cell, "overlap_over_radius", 0) > tolerated_overlap) notes.emplace_back("contact springs too soft");
   if (number_or(cell, "distorted", 0) > 0)
     notes.push_back(fmt::format("{} of {} eroded for distortion", shown(number(cell, "distorted"), 9),
                                 shown(number(cell, "eroded"), 9)));
@@ -130,10 +126,6 @@ Section endings_section(const Json& result) {
   worst.rows.push_back({"largest energy error", percent(number(summary, "worst_closure"), 3)});
   worst.rows.push_back({"smallest Jacobian of any element", shown(number(summary, "smallest_jacobian"), 3)});
   worst.rows.push_back({"smallest step over the first", shown(number(summary, "smallest_step"), 3)});
-  worst.rows.push_back({"contact springs too soft, cells", shown(number(summary, "cells_with_soft_contact"), 9)});
-  worst.notes.push_back(
-      fmt::format("Too soft: nodes were more than {} radii inside the particle, and the depth is not to be relied on.",
-                  tolerated_overlap));
   section.blocks.emplace_back(worst);
   List troubles{.items = {}, .tone = Tone::warning};
   for (const Json& cell : list(result, "cells"))
@@ -177,7 +169,6 @@ std::vector<std::string> cell_row(const Json& cell, int number_of_cell) {
           rounded("tip_over_radius", 4),
           signed_percent(number(cell, "energy_closure"), 3),
           percent(number(cell, "numerical_loss"), 0),
-          rounded("overlap_over_radius", 2),
           rounded("smallest_jacobian", 2),
           rounded("smallest_step", 2),
           rounded("mach", 2),
@@ -198,7 +189,7 @@ Section cells_section(const Json& result) {
       add(section, table);
       group = text(cell, "group");
       table = {.caption = group,
-               .rows = {{"cell", "number", "outcome", "tip, radii", "energy error", "numerical loss", "overlap, radii",
+               .rows = {{"cell", "number", "outcome", "tip, radii", "energy error", "numerical loss",
                          "smallest J", "smallest step", "Mach", "steps", "time", "notes"}},
                .notes = {}};
       table.caption.front() = static_cast<char>(std::toupper(group.front()));

@@ -1,4 +1,4 @@
-// The emulators: what they were trained on, how their error fell with the time spent, and the fresh runs that check them.
+// The emulator: what it was trained on, how its error fell with the time spent, and the fresh runs that check it.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,16 +26,15 @@ Json settings_to_json(const EmulatorSettings& settings) {
           {"likelihood_evaluations", settings.evaluations}};
 }
 
-Json emulator_to_json(const CalibrationJob& job, const EmulatorReport& emulator) {
-  Json hypotheses = Json::array(), rounds = Json::array(), outcomes = Json::array();
-  for (const int r : emulator.hypotheses) hypotheses.push_back(job.hypotheses[r].name);
+}  // namespace
+
+Json emulator_to_json(const EmulatorReport& emulator) {
+  Json rounds = Json::array(), outcomes = Json::array();
   for (const auto& round : emulator.rounds)
     rounds.push_back(
         {{"runs", round.runs}, {"cpu_s", finite(round.cpu_seconds)}, {"error_at_optimum", finite(round.error)}});
   for (const auto& [name, count] : emulator.outcomes) outcomes.push_back({{"outcome", name}, {"runs", count}});
-  return {{"setting", emulator.setting},
-          {"hypotheses", hypotheses},
-          {"runs", emulator.runs},
+  return {{"runs", emulator.runs},
           {"reused", emulator.reused},
           {"foreign", emulator.foreign},
           {"outcomes", outcomes},
@@ -47,14 +46,6 @@ Json emulator_to_json(const CalibrationJob& job, const EmulatorReport& emulator)
           {"data_error", finite(emulator.data_error)},
           {"stopped", emulator.stopped},
           {"rounds", rounds}};
-}
-
-}  // namespace
-
-Json emulators_to_json(const CalibrationJob& job, const std::vector<EmulatorReport>& emulators) {
-  Json all = Json::array();
-  for (const EmulatorReport& emulator : emulators) all.push_back(emulator_to_json(job, emulator));
-  return all;
 }
 
 Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs) {
@@ -124,27 +115,55 @@ Table fresh_table(const Json& hypothesis) {
   return table;
 }
 
-// One emulator as a column.
-std::vector<std::string> column_of(const Json& one) {
+Table emulator_table(const Json& one) {
   std::string outcomes;
   for (const Json& outcome : list(one, "outcomes"))
     outcomes +=
         fmt::format("{}{} {}", outcomes.empty() ? "" : ", ", shown(number(outcome, "runs")), text(outcome, "outcome"));
-  return {text(one, "setting"),
-          shown(number(one, "runs")),
-          shown(number(one, "reused")),
-          shown(number(one, "foreign")),
-          outcomes,
-          percent(number(one, "leave_one_out_error")),
-          percent(number(one, "coverage95")),
-          percent(number(at(one, "settings"), "noise")),
-          percent(number(one, "error_at_optimum")),
-          percent(number(one, "data_error")),
-          text(one, "stopped")};
+  return {.caption = "The emulator",
+          .rows = {{"", ""},
+                   {"runs done", shown(number(one, "runs"))},
+                   {"runs from the store", shown(number(one, "reused"))},
+                   {"runs of other jobs", shown(number(one, "foreign"))},
+                   {"outcomes", outcomes},
+                   {"leave-one-out error", percent(number(one, "leave_one_out_error"))},
+                   {"within its 95 %", percent(number(one, "coverage95"))},
+                   {"solver's noise", percent(number(at(one, "settings"), "noise"))},
+                   {"error at the optimum", percent(number(one, "error_at_optimum"))},
+                   {"data's error", percent(number(one, "data_error"))},
+                   {"stopped because", text(one, "stopped")}},
+          .notes = {}};
+}
+
+Figure error_figure(const Json& emulator) {
+  Chart chart{.title = "The emulator's error at the optimum against processor time",
+              .x = {.label = "processor time of the runs, s", .logarithmic = true},
+              .y = {.label = "error of a depth, %", .logarithmic = true}};
+  const auto error = number(emulator, "error_at_optimum"), data = number(emulator, "data_error");
+  Series line = series("", Mark::line, 0), points = series("the emulator's", Mark::points, 0),
+         of_data = series("the data's", Mark::dashes, 0);
+  for (const Json& round : list(emulator, "rounds")) {
+    const double seconds = number_or(round, "cpu_s", 0), share = number_or(round, "error_at_optimum", 0);
+    if (!(seconds > 0 && share > 0)) continue;
+    add_point(line, seconds, 100 * share);
+    add_point(points, seconds, 100 * share);
+  }
+  if (points.x.size() > 1)
+    for (const double end : {points.x.front(), points.x.back()})
+      if (data && *data > 0) add_point(of_data, end, 100 * *data);
+  if (line.x.size() > 1) add(chart, line);
+  add(chart, points);
+  add(chart, of_data);
+  const std::string finding =
+      error && data ? fmt::format(" At the end {}, beside {} of the data.", percent(error), percent(data)) : "";
+  return {.name = "error_vs_time",
+          .caption = "What a depth's error was after each round of runs." + finding,
+          .alt = "Error of the emulator against processor time, falling from round to round." + finding,
+          .chart = chart};
 }
 
 Table round_table(const Json& emulator) {
-  Table table{.caption = "Error after each round: " + text(emulator, "setting"),
+  Table table{.caption = "Error after each round",
               .rows = {{"runs", "processor time", "error at the optimum"}},
               .notes = {}};
   for (const Json& round : list(emulator, "rounds")) {
@@ -162,55 +181,12 @@ void add_fresh_runs(Section& section, const Json& result, const Json& hypothesis
   add(section, fresh_table(hypothesis));
 }
 
-Section emulators_section(const Json& result) {
-  Section section{.id = "emulators", .title = "Error against run time", .blocks = {}};
-  Chart chart{.title = "The emulators' error at the optimum against processor time",
-              .x = {.label = "processor time of the runs, s", .logarithmic = true},
-              .y = {.label = "error of a depth, %", .logarithmic = true}};
-  Table table{.caption = "Emulators",
-              .rows = {{""},
-                       {"runs done"},
-                       {"runs from the store"},
-                       {"runs of other jobs"},
-                       {"outcomes"},
-                       {"leave-one-out error"},
-                       {"within its 95 %"},
-                       {"solver's noise"},
-                       {"error at the optimum"},
-                       {"data's error"},
-                       {"stopped because"}},
-              .notes = {}};
-  int colour = 0;
-  std::string finding;
-  for (const Json& one : list(result, "emulators")) {
-    const auto column = column_of(one);
-    const std::string& name = column.front();
-    for (std::size_t row = 0; row < column.size(); ++row) table.rows[row].push_back(column[row]);
-    const auto error = number(one, "error_at_optimum"), data = number(one, "data_error");
-    Series line = series("", Mark::line, colour), points = series(name, Mark::points, colour),
-           of_data = series("the data's, " + name, Mark::dashes, colour);
-    for (const Json& round : list(one, "rounds")) {
-      const double seconds = number_or(round, "cpu_s", 0), share = number_or(round, "error_at_optimum", 0);
-      if (!(seconds > 0 && share > 0)) continue;
-      add_point(line, seconds, 100 * share);
-      add_point(points, seconds, 100 * share);
-    }
-    if (points.x.size() > 1)
-      for (const double end : {points.x.front(), points.x.back()})
-        if (data && *data > 0) add_point(of_data, end, 100 * *data);
-    if (error && data)
-      finding += fmt::format(" {}: {} at the end, beside {} of the data.", name, percent(error), percent(data));
-    ++colour;
-    if (line.x.size() > 1) add(chart, line);
-    add(chart, points);
-    add(chart, of_data);
-  }
-  add(section, Figure{.name = "error_vs_time",
-                      .caption = "What a depth's error was after each round of runs." + finding,
-                      .alt = "Error of the emulators against processor time, falling from round to round." + finding,
-                      .chart = chart});
-  if (colour > 0) add(section, std::move(table));
-  for (const Json& one : list(result, "emulators")) add(section, round_table(one));
+Section emulator_section(const Json& result) {
+  Section section{.id = "emulator", .title = "Error against run time", .blocks = {}};
+  const Json& emulator = at(result, "emulator");
+  add(section, error_figure(emulator));
+  add(section, emulator_table(emulator));
+  add(section, round_table(emulator));
   return section;
 }
 
