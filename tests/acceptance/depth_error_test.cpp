@@ -81,10 +81,13 @@ TEST_F(DepthErrorOnTheCommandLine, ExtrapolatesWhereErosionHasALength) {
 }
 
 TEST_F(DepthErrorOnTheCommandLine, ALadderBeginsWithThreeElementsInTheLength) {
-  write("short.toml", std::string(ball) + "length_in_radii = 0.6\n");
+  write("short.toml", std::string(ball).replace(std::string(ball).find("= 5\n[target.e"), 3, "= 9") +
+                          "length_in_radii = 0.34\n");
   const Ended ended = run({"study", "short.toml", "--error-vs-time", "--check"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_EQ(run({"study", "short.toml", "--error-vs-time", "--check", "--meshes", "3,5,7,10"}).code, 2);
+  const Ended coarse = run({"study", "short.toml", "--error-vs-time", "--check", "--meshes", "5,9,13,18"});
+  EXPECT_EQ(coarse.code, 2);
+  EXPECT_THAT(coarse.err, HasSubstr("9 elements per radius or more"));
 }
 
 class ElementsOfAStrain : public acceptance::LiverJob {};

@@ -48,7 +48,7 @@ constexpr WallRule soft_and_slow{{{0, 0.1}, {5, 0.05}, {8, 0.01}, {12, 0.007}}},
     slow{{{0, 0.06}, {5, 0.03}, {8, 0.01}, {12, 0.007}}}, fast{{{0, 0.15}, {5, 0.06}, {8, 0.02}, {12, 0.01}}};
 constexpr double soft_below = 10, slow_width = 5, rounding = 1e-9;
 
-constexpr double step_share = 0.01, usual_step = 0.9;
+constexpr double step_share = 0.015, usual_step = 0.9;
 // Six radii deep or more, the share grows with the stress at the erosion limit over K.
 constexpr double least_of_bulk = 0.03, most_of_bulk = 0.14, share_of_stress = 0.12, deep_from = 6;
 constexpr double share_of_squared_mach = 0.17;

@@ -91,6 +91,9 @@ LadderOptions checked(LadderOptions options, const Scene& scene) {
   if (meshes.size() < fewest_grids || meshes.front() < 1 || meshes.back() > 1000)
     throw BadInput(Place{.file = "", .line = 0, .key = "--meshes"}, fmt::format("{}", fmt::join(meshes, ",")),
                    fmt::format("{} or more different numbers from 1 to 1000", fewest_grids));
+  if (meshes.front() < coarsest_mesh(scene))
+    throw BadInput(Place{.file = scene.source, .line = 0, .key = "--meshes"}, fmt::format("{}", meshes.front()),
+                   fmt::format("{} elements per radius or more, three in the erosion length", coarsest_mesh(scene)));
   if (options.replicates < fewest_ladder_replicates)
     throw BadInput(Place{.file = "", .line = 0, .key = "--replicates"}, fmt::format("{}", options.replicates),
                    fmt::format("{} or more", fewest_ladder_replicates));
