@@ -127,7 +127,7 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
   const std::string words = words_of(page());
   for (const char* there :
        {"Impact: gold into skin",
-        "Depth 27.5 um ± 4.1 um (95 %: mesh phase 3.8, wall 1.4, step 0.3, K 0.8, mesh size not known)",
+        "Depth 27.5 um ± 4.2 um (95 %: mesh phase 3.8, wall 1.4, step 0.4, K 0.8, mesh size not known)",
         "runs | 2 over the mesh phase: standard error 300 nm, a single run scatters by 424 nm", "mu, true | 63.75 MPa",
         "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program", "22050, 14 per radius",
         "5, radii to the wall, given", "13 of them graded (chosen by the program), each 1.2 times", "radius | 1 um",

@@ -16,6 +16,7 @@ namespace percal {
 namespace {
 
 constexpr int trials_wanted = 5, fewest_replicates = 5;
+constexpr int own_walks = 2;  // replicates on the own mesh over those of a trial: all trials lean on that one depth
 constexpr double least_step = 0.1, most_step = 0.5;  // of ln strain between the first two trials
 constexpr double spread = 0.1;                       // of ln strain about the root: the line wants a base
 constexpr double farthest = 0.15;                    // of ln strain beyond the trials: no further by the line
@@ -87,7 +88,7 @@ void need_element_size(const Scene& scene, double element, const Place& place) {
   refuse_what_is_too_large(reduce(other).problem, place.file);
 }
 
-long strain_runs(const Scene& scene) { return (trials_wanted + 1L) * replicates_for(scene); }
+long strain_runs(const Scene& scene) { return (trials_wanted + static_cast<long>(own_walks)) * replicates_for(scene); }
 
 StrainAtSize strain_at_size(const Scene& scene, double element, Campaign& campaign, Progress* progress) {
   const double strain = std::get<StrainErosion>(scene.target.erosion).limit, radius = scene.particle.radius;
@@ -95,12 +96,12 @@ StrainAtSize strain_at_size(const Scene& scene, double element, Campaign& campai
                      .element = element,
                      .own_element = radius / scene.mesh.elements_per_radius,
                      .radius = radius};
-  const auto shoot = [&](double elements_per_radius, double at) {
+  const auto shoot = [&](double elements_per_radius, double at, int walks) {
     const Reduction reduction = reduce(with(scene, elements_per_radius, at));
-    return summarise(campaign.replicate({reduction.problem}, replicates_for(scene), progress).front(),
+    return summarise(campaign.replicate({reduction.problem}, walks * replicates_for(scene), progress).front(),
                      reduction.problem, reduction.scales);
   };
-  found.own = shoot(scene.mesh.elements_per_radius, strain);
+  found.own = shoot(scene.mesh.elements_per_radius, strain, own_walks);
   if (!found.own.depth) {
     found.why_not = "on its own mesh the shot ends as: " + word(found.own.outcome);
     return found;
@@ -108,7 +109,7 @@ StrainAtSize strain_at_size(const Scene& scene, double element, Campaign& campai
   Trials trials{.strains = {}, .depths = {}, .wanted = std::log(*found.own.depth)};
   while (static_cast<int>(found.trials.size()) < trials_wanted) {
     const double at = found.trials.empty() ? strain : std::exp(trials.next());
-    found.trials.push_back({at, shoot(radius / element, at)});
+    found.trials.push_back({at, shoot(radius / element, at, 1)});
     if (!found.trials.back().penetration.depth) {
       found.why_not = fmt::format("with erosion strain {:.3g} the shot ends as: {}", at,
                                   word(found.trials.back().penetration.outcome));
