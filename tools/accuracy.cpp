@@ -74,7 +74,7 @@ double parse_accuracy(const std::string& text) {
 AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store& store, const Common& common) {
   const std::string key = study_key(scene);
   const auto kept = kept_ladder(store, key);
-  const LadderOptions options = kept.value_or(LadderOptions{});
+  const LadderOptions options = kept.value_or(usual_ladder(scene));
   if (common.talks() && !kept) {
     fmt::print("no study of this scene is kept: its error against time is measured first, by {} runs\n",
                ladder_runs(options));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "commands.hpp"
+#include "element_size.hpp"
 #include "pages.hpp"
 #include "percal/card/card_comments.hpp"
 #include "percal/card/card_curve.hpp"
@@ -170,7 +171,17 @@ json as_json(const ReadCard& read) {
 
 Exit run_card_write(const CardArguments& card, const Common& common) {
   const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
-  const CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));
+  CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));
+  if (!card.element_size.empty()) {
+    if (const auto found = strain_for_elements(card, material, common)) {
+      if (!found->why_not.empty()) {
+        fmt::print(stderr, "{}", fmt::format("no erosion strain for these elements: {}\n", found->why_not));
+        return Exit::outcome_not_reached;
+      }
+      if (!common.quiet) fmt::print(stderr, "{}\n", in_words(*found));
+      material = for_elements(material, found->strain, found->element, found->radius, in_words(*found));
+    }
+  }
   const std::string of_what = fmt::format("'{}' for {} in {}", material.name, card.solver, units.name);
   if (!card.deck.empty()) {
     const UniaxialTest test{.stretch = card.stretch, .increments = card.increments};

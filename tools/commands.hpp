@@ -49,10 +49,12 @@ struct ImpactArguments {
   std::optional<double> elements_per_radius;
   std::optional<int> replicates;
   std::optional<std::string> arithmetic;
-  std::string history;   // CSV file; empty: as the scene says
-  std::string fields;    // every=...; empty: none
-  std::string picture;   // PNG, SVG or PDF file; empty: none
-  std::string accuracy;  // "2%" or "0.02"; empty: mesh and replicates as the scene says
+  std::string history;          // CSV file; empty: as the scene says
+  std::string fields;           // every=...; empty: none
+  std::string picture;          // PNG, SVG or PDF file; empty: none
+  std::string accuracy;         // "2%" or "0.02"; empty: mesh and replicates as the scene says
+  bool measure_errors = false;  // of wall, time step and K by more runs, not by rule
+  bool extrapolate = false;     // to h = 0 from this mesh and one of half its elements
 };
 
 struct IdentifyArguments {
@@ -84,8 +86,10 @@ struct CardArguments {
   std::string deck;    // uniaxial; empty: the card alone
   double stretch = 2;
   int increments = 20;
-  std::string name;     // of the card to take, or of the card of a fit
-  std::string density;  // with its unit
+  std::string name;          // of the card to take, or of the card of a fit
+  std::string density;       // with its unit
+  std::string element_size;  // the user's, with its unit; empty: the erosion strain as it was found
+  std::string shot;          // a scene of the result that says how deep; empty: the first
   std::optional<double> bulk_to_shear, nu;
   std::string mode = "uniaxial";  // of a curve
   std::string range;              // LOW:HIGH of its stretches; empty: 0.5:2, in shear 0:1

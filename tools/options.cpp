@@ -49,6 +49,13 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
       ->excludes("--elements-per-radius")
       ->excludes("--replicates")
       ->excludes("--arithmetic");
+  command->add_flag("--measure-errors", impact.measure_errors,
+                    "measure what half the time step, 1.5 times the width and twice K do to the depth (three times the "
+                    "runs more), instead of expecting it by rule");
+  command
+      ->add_flag("--extrapolate", impact.extrapolate,
+                 "the depth at h = 0 from this mesh and one twice as fine, where erosion is judged over a length")
+      ->excludes("--accuracy");
   command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
   add_common(*command, common, true);
   commands.push_back({command, [&] { return run_impact(impact, common); }, true});
@@ -87,11 +94,13 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
   auto* extremes = which->add_flag("--extremes", study.extremes,
                                    "a fixed matrix of stiff and extreme impacts and how each ends; takes no scene");
   which->require_option(1);
-  auto* meshes =
-      command->add_option("--meshes", study.meshes, "elements per radius, four or more (default: 5,7,10,14,20,28)")
-          ->delimiter(',')
-          ->check(CLI::Range(1.0, 1000.0))
-          ->needs(errors);
+  auto* meshes = command
+                     ->add_option("--meshes", study.meshes,
+                                  "elements per radius, four or more (default: 5,7,10,14,20,28; with an erosion length "
+                                  "from three elements in it)")
+                     ->delimiter(',')
+                     ->check(CLI::Range(1.0, 1000.0))
+                     ->needs(errors);
   auto* replicates = command
                          ->add_option("--replicates", study.replicates,
                                       fmt::format("runs of each setting (default: {})", usual_replicates))
@@ -183,14 +192,24 @@ void add_card_write(CLI::App& card_command, CardArguments& card, Common& common,
                    ->check(CLI::IsMember({"uniaxial"}));
   command->add_option("--stretch", card.stretch, "with --deck: stretch at the end (default: 2)")->needs(deck);
   command->add_option("--increments", card.increments, "with --deck: equal steps to it (default: 20)")->needs(deck);
+  auto* size = command->add_option("--element-size", card.element_size,
+                                   "the erosion strain for elements of your own mesh, such as \"0.1 mm\", by runs of a "
+                                   "shot of the result");
+  command->add_option("--shot", card.shot, "with --element-size: which of the result's scenes (default: the first)")
+      ->needs(size);
+  command->add_option("--store", common.store, "with --element-size: store of finished runs")->needs(size);
+  command
+      ->add_option("--threads", common.threads, "with --element-size: runs side by side (default: one for each core)")
+      ->needs(size);
   command->add_flag("--check", common.check, "read and convert, write nothing");
   command->add_flag("--quiet", common.quiet, "print nothing but errors");
   command->footer(
       "Examples: percal card write skin.out/result.json --solver lsdyna --units mm-ms-kg-GPa\n"
       "          percal card write gel.out/result.json --solver febio --density \"1010 kg/m3\" --nu 0.495\n"
       "          percal card write skin.out/result.json --solver calculix --units mm-t-s-MPa --deck uniaxial "
-      "--file skin.inp");
-  commands.push_back({command, [&] { return run_card_write(card, common); }});
+      "--file skin.inp\n"
+      "          percal card write skin.out/result.json --solver lsdyna --element-size \"0.2 um\"");
+  commands.push_back({command, [&] { return run_card_write(card, common); }, true});
 }
 
 void add_card_source(CLI::App& command, CardArguments& card) {

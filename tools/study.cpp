@@ -85,7 +85,7 @@ void finish(const Json& result, const std::string& csv_name, const std::string& 
 
 Exit error_vs_time_study(const StudyArguments& arguments, const Common& common) {
   const Scene scene = read_scene(arguments.scene);
-  LadderOptions options;
+  LadderOptions options = usual_ladder(scene);
   if (!arguments.meshes.empty()) options.meshes = arguments.meshes;
   if (arguments.replicates) options.replicates = *arguments.replicates;
   options = checked(options, scene);

@@ -46,6 +46,21 @@ TEST(CardJson, ComesBackAsItWas) {
   EXPECT_EQ(back.comments, skin().comments);
 }
 
+TEST(CardJson, KeepsTheElementsOfAnErosionStrain) {
+  CardMaterial material = skin();
+  EXPECT_TRUE(card_to_json(material)["erosion"]["element_m"].is_null());
+  material.erosion->element_over_radius = 0.1;
+  material.erosion->element = 1e-7;
+  json card = card_to_json(material);
+  const CardMaterial back = card_from_json(card, {});
+  EXPECT_EQ(back.erosion->element_over_radius, 0.1);
+  EXPECT_EQ(back.erosion->element, 1e-7);
+  card["erosion"]["element_m"] = -1;
+  EXPECT_THAT(refusal(card), AllOf(HasSubstr("card.erosion.element_m"), HasSubstr("a positive number or null")));
+  card["erosion"].erase("element_m");
+  EXPECT_FALSE(card_from_json(card, {}).erosion->element) << "a card of one's own need not say it";
+}
+
 TEST(CardJson, TakesAMaterialWithoutErosionAndComments) {
   json card = with("erosion", nullptr);
   card.erase("comments");

@@ -61,6 +61,32 @@ CardMaterial three_terms() {
 
 // mu = 63.75 MPa, alpha = 8.5, K = 50 mu = 3187.5 MPa, stretch 1.7 at erosion.
 //   2 mu/alpha = 127.5/8.5 = 15 MPa; 2 mu = 127.5 MPa; 2/K = 6.27450980392157e-4 per MPa; nu = 148/302 = 0.490066225165563
+TEST(Solvers, EveryCardSaysWhichElementsItsErosionStrainBelongsTo) {
+  CardMaterial known = skin(), whole = skin();
+  known.erosion->element_over_radius = 0.1;
+  known.erosion->element = 1e-7;
+  whole.erosion.reset();
+  for (const Solver& solver : solvers()) {
+    const auto card = [&](const CardMaterial& material) { return solver.card(material, tonnes); };
+    EXPECT_THAT(card(known), HasSubstr("erosion strain 0.7 for elements of 0.1 radii (100 nm)")) << solver.word;
+    EXPECT_THAT(card(skin()), HasSubstr("erosion strain 0.7: the element size")) << solver.word;
+    EXPECT_THAT(card(whole), Not(HasSubstr("for elements of"))) << solver.word;
+  }
+}
+
+TEST(Solvers, AStrainForOtherElementsTakesItsIntervalAlong) {
+  CardMaterial own = skin();
+  own.intervals = CardIntervals{0.95, {{"erosion_strain", 0.6, std::nullopt}, {"alpha", 8, 9}}};
+  const CardMaterial other = for_elements(own, 0.35, 2e-7, 1e-6, "by runs");
+  EXPECT_EQ(other.erosion->limit, 0.35);
+  EXPECT_EQ(other.erosion->measure, own.erosion->measure);
+  EXPECT_NEAR(*other.erosion->element_over_radius, 0.2, 1e-12);
+  EXPECT_NEAR(*other.intervals->of[0].low, 0.3, 1e-12);
+  EXPECT_FALSE(other.intervals->of[0].high);
+  EXPECT_EQ(other.intervals->of[1].low, 8);
+  EXPECT_EQ(other.comments.back(), "by runs");
+}
+
 TEST(Solvers, EachCarriesItsOwnModulus) {
   const auto card = [](const std::string& solver) { return write_card(solver, skin(), tonnes); };
   EXPECT_THAT(line_under(card("lsdyna"), "$      MU1", 1), testing::StartsWith("       15."));

@@ -127,11 +127,11 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
   const std::string words = words_of(page());
   for (const char* there :
        {"Impact: gold into skin",
-        "Depth 27.5 um, standard error 300 nm (over the mesh phase and the speed together a single run "
-        "scatters by 424 nm, 2 runs)",
-        "mu, true | 63.75 MPa", "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program",
-        "22050, 14 per radius", "5, radii to the wall, given", "13 of them graded (chosen by the program), each 1.2 times",
-        "radius | 1 um", "eroded elements | 74.50 %", "sum | 99.50 %", "rotation: ", "Mach number | 0.299", "x86_64_v3",
+        "Depth 27.5 um ± 4.2 um (95 %: mesh phase 3.8, wall 1.4, step 0.4, K 0.8, mesh size not known)",
+        "runs | 2 over the mesh phase: standard error 300 nm, a single run scatters by 424 nm", "mu, true | 63.75 MPa",
+        "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program", "22050, 14 per radius",
+        "5, radii to the wall, given", "13 of them graded (chosen by the program), each 1.2 times", "radius | 1 um",
+        "eroded elements | 74.50 %", "sum | 99.50 %", "rotation: ", "Mach number | 0.299", "x86_64_v3",
         "1.001 | stopped | 27.8 um"})
     EXPECT_THAT(words, HasSubstr(there));
 }
@@ -186,12 +186,61 @@ TEST_F(ImpactPage, WithoutAHistoryItSaysHowToGetOne) {
 }
 
 TEST_F(ImpactPage, SaysWhereTheErrorComesFrom) {
-  EXPECT_THAT(words_of(page()), HasSubstr("the error of the element size is not in it"));
+  read(gold_into_skin + "[target.erosion]\nstrain = 0.7\n");
+  EXPECT_THAT(words_of(page()), AllOf(HasSubstr("; belongs to elements of 1/14 radius)"),
+                                      HasSubstr("mesh phase | 3.81 um | standard error of the mean of 2 runs"),
+                                      HasSubstr("belongs to elements of 1/14 radius: erosion by"),
+                                      HasSubstr("`--measure-errors` measures what wall")));
   found.accuracy = two_percent;
   EXPECT_THAT(words_of(page()),
               AllOf(HasSubstr("Estimated error of the depth 1.5 % (element size 1.2 %, mesh phase and noise 0.75 %)"),
                     HasSubstr("element size | 1.2 %"), HasSubstr("mesh phase and noise | 0.8 %"),
-                    Not(HasSubstr("is not in it"))));
+                    Not(HasSubstr("belongs to elements"))));
+}
+
+TEST_F(ImpactJson, HasTheErrorOfItsDepthBySource) {
+  const Json error = result()["depth_error"];
+  std::vector<std::string> sources;
+  for (const Json& one : error["sources"]) sources.push_back(one["source"]);
+  EXPECT_THAT(sources, ElementsAre("mesh phase", "mesh size", "wall", "time step", "K"));
+  EXPECT_TRUE(error["sources"][1]["half_width_m"].is_null());
+  EXPECT_NEAR(error["sources"][0]["half_width_m"], 12.7062 * 0.3e-6, 1e-10);  // t of one degree of freedom
+  EXPECT_GT(error["half_width_m"], error["sources"][0]["half_width_m"]);
+  for (Evaluation& run : found.runs) run.result.outcome = Outcome::passed_through;
+  EXPECT_TRUE(result()["depth_error"].is_null());
+}
+
+TEST_F(ImpactPage, TheDepthAndItsErrorFillTwoLinesAtMost) {
+  for (const double depth : {1.234, 27.5, 99.9}) {
+    found.runs.clear();
+    for (const double off : {-0.02, -0.01, 0.0, 0.01, 0.02}) found.runs.push_back(stopped_at(depth * (1 + off), false));
+    EXPECT_LE(page().summary.size(), 2 * 78) << page().summary;
+  }
+}
+
+TEST_F(ImpactPage, WithALengthTheElementsShareIsALineOfItsOwn) {
+  read(gold_into_skin + "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.5\n");
+  const page::Page whole = page();
+  const auto& first = std::get<page::Sentence>(section_of(whole, "result")->blocks.front());
+  EXPECT_THAT(first.text, HasSubstr("not extrapolated: first order in h/l = 0.14"));
+  EXPECT_THAT(words_of(whole), HasSubstr("elements of 0.143 of it"));
+}
+
+TEST_F(ImpactPage, AnExtrapolatedDepthIsTheOneThatIsShown) {
+  read(gold_into_skin + "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.5\n");
+  found.evidence.extrapolation = Extrapolation{.depth = 25e-6,
+                                               .standard_error = 0.2e-6,
+                                               .model_error = 0.6e-6,
+                                               .elements_per_radius = 14,
+                                               .finer_elements_per_radius = 28,
+                                               .mesh_depth = 27.5e-6,
+                                               .finer_depth = 26.25e-6,
+                                               .replicates = 2};
+  const page::Page whole = page();
+  EXPECT_THAT(whole.summary, AllOf(HasSubstr("Depth 25.0 um ± 2.9 um"), HasSubstr("mesh size 0.6"),
+                                   HasSubstr("extrapolated from 14 and 28 elements per radius")));
+  EXPECT_THAT(words_of(whole), AllOf(HasSubstr("Depth at h = 0: 25 um from 27.5 um with 14 and 26.25 um with 28"),
+                                     Not(HasSubstr("not extrapolated"))));
 }
 
 TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {

@@ -53,6 +53,16 @@ TEST_F(LadderTest, RefusesFewerThanFourMeshesAndThreeReplicates) {
   EXPECT_EQ(checked({}, gold()).time_step_factor, gold().solver.time_step_factor);
 }
 
+TEST_F(LadderTest, BeginsWithThreeElementsInAnErosionLength) {
+  Scene scene = gold();
+  EXPECT_EQ(usual_ladder(scene).meshes, LadderOptions{}.meshes);
+  scene.target.erosion_average = AverageWithin{0.3 * scene.particle.radius};
+  EXPECT_EQ(usual_ladder(scene).meshes, (std::vector<double>{10, 14, 20, 27}));
+  scene.target.erosion_average = AverageWithin{0.1 * scene.particle.radius};
+  EXPECT_EQ(usual_ladder(scene).meshes, (std::vector<double>{30, 42, 59, 82})) << "four at least";
+  EXPECT_THROW(checked(ladder({10, 30, 42, 59}, 3), scene), BadInput);
+}
+
 TEST_F(LadderTest, GradedColumnsThatAreCountedOutGrowAlikeOnEveryMesh) {
   Scene scene = gold();
   scene.mesh.graded_columns = 7;  // beside 14 elements per radius

@@ -41,6 +41,20 @@ double bulk_ratio(const CalibrationJob& job, int material, const MaterialAt& at)
   return ratio;
 }
 
+// On the mesh of the runs behind the answer. Its size in metres is one only where the shots have one radius.
+CardErosion erosion_of(const CalibrationJob& job, int material, const MaterialAt& at) {
+  const double over_radius = 1 / job.training.verify;
+  std::optional<double> element;
+  bool one_radius = true;
+  for (const MeasuredShot& shot : job.shots) {
+    if (shot.material != material) continue;
+    const double size = over_radius * shot.radius;
+    one_radius = one_radius && (!element || *element == size);
+    element = size;
+  }
+  return {at.erosion_strain, StrainMeasure::engineering, over_radius, one_radius ? element : std::nullopt};
+}
+
 std::vector<CardData> data_of(const CalibrationJob& job) {
   std::vector<std::string> files = {job.file};
   for (const MeasuredShot& shot : job.shots) files.push_back(shot.file);
@@ -75,7 +89,7 @@ std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const Hyp
                       .density = at.density,
                       .terms = {{at.mu_true, at.alpha}},
                       .bulk_modulus = at.mu_true * bulk_ratio(job, static_cast<int>(m), at),
-                      .erosion = CardErosion{at.erosion_strain, StrainMeasure::engineering},
+                      .erosion = erosion_of(job, static_cast<int>(m), at),
                       .comments = {"calibrated by percal from " + job.title + ", hypothesis '" + hypothesis.name + "'"},
                       .intervals = intervals_of(job, result, material),
                       .fit_error = error_of(result),

@@ -7,6 +7,7 @@
 #include "percal/base/version.hpp"
 #include "percal/card/card_text.hpp"
 #include "percal/material/stability.hpp"
+#include "percal/units/quantity.hpp"
 
 namespace percal {
 namespace {
@@ -96,6 +97,7 @@ std::string card_comments(const CardDialect& dialect, const CardMaterial& materi
                   poisson_ratio(ratio)));
   add(dialect.volumetric + "; cards of different programs agree to first order in J - 1 only");
   add(fmt::format("density: {:.9g} kg/m3", material.density));
+  if (material.erosion) add(element_size_of(*material.erosion));
   add(stability_of(material));
   return text + comment_lines(dialect.prefix, provenance(material)) + comment_lines(dialect.prefix, material.comments);
 }
@@ -114,6 +116,17 @@ std::string in_all_measures(const CardErosion& erosion) {
     text += fmt::format("{}{:.6g} {}", text.empty() ? "" : " = ", strain, name);
   }
   return text + fmt::format(" (stretch {:.6g})", stretch);
+}
+
+std::string element_size_of(const CardErosion& erosion) {
+  const std::string strain = fmt::format("erosion strain {:.6g}", erosion.limit);
+  const std::string length = erosion.element ? format_quantity(*erosion.element, dimension::length, 4) : "";
+  const std::string others = ": other elements want another one";
+  if (erosion.element_over_radius)
+    return fmt::format("{} for elements of {:.4g} radii{}{}", strain, *erosion.element_over_radius,
+                       length.empty() ? "" : " (" + length + ")", others);
+  if (!length.empty()) return fmt::format("{} for elements of {}{}", strain, length, others);
+  return strain + ": the element size that it belongs to is not known";
 }
 
 std::string stability_of(const CardMaterial& material) {

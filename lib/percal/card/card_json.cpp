@@ -17,7 +17,11 @@ json number_or_null(double number) { return std::isfinite(number) ? json(number)
 
 json erosion_to_json(const std::optional<CardErosion>& erosion) {
   if (!erosion) return nullptr;
-  return {{"strain", erosion->limit}, {"measure", word(erosion->measure)}};
+  const auto or_null = [](const std::optional<double>& size) { return size ? json(*size) : json(nullptr); };
+  return {{"strain", erosion->limit},
+          {"measure", word(erosion->measure)},
+          {"element_over_radius", or_null(erosion->element_over_radius)},
+          {"element_m", or_null(erosion->element)}};
 }
 
 json intervals_to_json(const CardIntervals& intervals) {
@@ -84,13 +88,22 @@ std::vector<Ogden> terms_of(const Reader& card) {
   return terms;
 }
 
+// A positive number or nothing.
+std::optional<double> size_of(const Reader& erosion, const std::string& key) {
+  const Reader given = erosion.at(key);
+  const auto size = given.number_or_nothing();
+  if (size && !(*size > 0 && std::isfinite(*size))) given.refuse("a positive number or null");
+  return size;
+}
+
 std::optional<CardErosion> erosion_of(const Reader& erosion) {
   if (erosion.absent()) return std::nullopt;
   const double strain = erosion.object("null or an object with strain and measure").at("strain").number();
   const Reader measure = erosion.at("measure");
   const std::string accepted = "\"engineering\", \"true\" or \"green-lagrange\"", found = measure.text(accepted);
   for (const auto one : {StrainMeasure::engineering, StrainMeasure::true_strain, StrainMeasure::green_lagrange})
-    if (found == word(one)) return CardErosion{strain, one};
+    if (found == word(one))
+      return CardErosion{strain, one, size_of(erosion, "element_over_radius"), size_of(erosion, "element_m")};
   measure.refuse(accepted);
 }
 

@@ -58,6 +58,20 @@ void check(const CardMaterial& material, const Place& place) {
   if (material.erosion) need_positive(material.erosion->limit, place, "erosion.strain", "strain");
 }
 
+CardMaterial for_elements(const CardMaterial& material, double strain, double element, double radius,
+                          const std::string& how) {
+  CardMaterial other = material;
+  const double ratio = strain / material.erosion->limit;
+  other.erosion = CardErosion{strain, material.erosion->measure, element / radius, element};
+  if (other.intervals)
+    for (CardInterval& interval : other.intervals->of)
+      if (interval.parameter == "erosion_strain")
+        for (auto* end : {&interval.low, &interval.high})
+          if (*end) **end *= ratio;
+  other.comments.push_back(how);
+  return other;
+}
+
 double modulus_field(const Ogden& term, CardModulus meaning) {
   switch (meaning) {
     case CardModulus::two_mu_over_alpha: return 2 * term.mu / term.alpha;

@@ -13,10 +13,13 @@ namespace percal {
 
 inline constexpr std::size_t most_card_terms = 3;  // CalculiX takes no more
 
-// Largest principal strain at which an element is removed.
+// Largest principal strain at which an element is removed. It holds for the elements that it was found with: with others the same
+// strain gives another depth (docs/theory/errors.md).
 struct CardErosion {
   double limit;  // > 0
   StrainMeasure measure;
+  std::optional<double> element_over_radius = {};  // side of an element over the particle's radius, where it is known
+  std::optional<double> element = {};              // m, where the particles have one radius
 };
 
 // The interval of one parameter, named as in the card object: mu_true_Pa (the sum of all terms), mu_over_alpha_Pa
@@ -63,6 +66,11 @@ double shear_modulus(const CardMaterial& material);
 // three. A single mu may be negative where the sum is positive. The message names place.file and the key of the result file
 // ("card.mu_true_Pa" where place.key is "card").
 void check(const CardMaterial& material, const Place& place);
+
+// The material with the erosion strain of other elements (side and radius in m), its interval by the same factor; `how` becomes a
+// comment. Of a material that erodes.
+CardMaterial for_elements(const CardMaterial& material, double strain, double element, double radius,
+                          const std::string& how);
 
 // The number in a program's modulus field for a term of W = (2 mu/alpha^2) (sum lambda^alpha - 3), and back: the one place of
 // this conversion.                                                                               docs/formats/cards.md

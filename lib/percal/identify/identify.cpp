@@ -152,7 +152,8 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
                     .density = job.tissue.density,
                     .terms = {{mu_true, found.alpha}},
                     .bulk_modulus = reduce(identified_scene(job, found)).bulk_modulus,
-                    .erosion = CardErosion{found.tissue.erosion->strain, job.measure},
+                    .erosion = CardErosion{found.tissue.erosion->strain, job.measure, 1 / job.ridge.elements_per_radius,
+                                           job.calibration.radius / job.ridge.elements_per_radius},
                     .comments = job.card_comments,
                     .intervals = intervals_of(*found.tissue.erosion),
                     .data = data_of(job)};

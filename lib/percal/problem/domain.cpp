@@ -45,6 +45,16 @@ int graded_columns_like(const Problem& problem, double elements_per_radius, doub
   return std::max(1, graded_columns_for(growth_of(problem), options));
 }
 
+Scene on_mesh(const Scene& scene, double elements_per_radius) {
+  Scene other = scene;
+  if (scene.mesh.graded_columns && elements_per_radius != scene.mesh.elements_per_radius) {
+    const Problem problem = reduce(scene).problem;
+    other.mesh.graded_columns = graded_columns_like(problem, elements_per_radius, problem.width);
+  }
+  other.mesh.elements_per_radius = elements_per_radius;
+  return other;
+}
+
 std::vector<std::string> mesh_warnings(const Scene& scene, const Problem& problem) {
   std::vector<std::string> warnings;
   const std::string near_wall = width_warning(problem.width, usual_width(scene) / scene.particle.radius);

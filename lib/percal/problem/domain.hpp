@@ -18,6 +18,9 @@ Problem on_mesh(const Problem& problem, double elements_per_radius);
 // Graded columns that grow as the problem's do, on another mesh and up to another wall (radii); 1 or more.
 int graded_columns_like(const Problem& problem, double elements_per_radius, double width);
 
+// The scene with other elements. Graded columns that the scene counts out grow as they did, in another number.
+Scene on_mesh(const Scene& scene, double elements_per_radius);
+
 // What a given mesh and wall are expected to cost in depth, in words; nothing where they keep to the rules.
 std::vector<std::string> mesh_warnings(const Scene& scene, const Problem& problem);
 

@@ -24,6 +24,11 @@ std::optional<double> element_over_erosion_length(const Scene& scene) {
   return scene.particle.radius / scene.mesh.elements_per_radius / *length;
 }
 
+double coarsest_mesh(const Scene& scene) {
+  const auto length = erosion_length(scene.target);
+  return length ? std::ceil(scene.particle.radius / *length / largest_element_in_length * (1 - rounding)) : 1;
+}
+
 void need_elements_in_erosion_length(const Scene& scene, const Place& place) {
   const auto share = element_over_erosion_length(scene);
   if (!share || *share <= largest_element_in_length * (1 + rounding)) return;
@@ -33,7 +38,7 @@ void need_elements_in_erosion_length(const Scene& scene, const Place& place) {
                              format_quantity(*erosion_length(scene.target), dimension::length), radii, 1 / *share,
                              scene.mesh.elements_per_radius),
                  fmt::format("a length of three elements or more: {:.4g} radii, or elements_per_radius = {:.0f}",
-                             3.0 / scene.mesh.elements_per_radius, std::ceil(3 / radii * (1 - rounding))));
+                             3.0 / scene.mesh.elements_per_radius, coarsest_mesh(scene)));
 }
 
 }  // namespace percal

@@ -15,6 +15,9 @@ std::optional<double> erosion_length(const LayerScene& target);  // m; nothing w
 // The side of an element over the length; nothing where there is none.
 std::optional<double> element_over_erosion_length(const Scene& scene);
 
+// Elements per radius, a whole number: the coarsest mesh that has three elements in the length; 1 where there is none.
+double coarsest_mesh(const Scene& scene);
+
 // Throws BadInput at `place` where the elements are too large.
 void need_elements_in_erosion_length(const Scene& scene, const Place& place);
 

@@ -20,7 +20,7 @@ double usual_width(double pi4, double density_ratio) {
   return density_ratio > heavy_above ? farthest_wall : far_wall;
 }
 
-double usual_width(const Scene& scene) {
+double usual_width_in_reaches(const Scene& scene) {
   const double speed = scene.particle.speed;
   const auto pi4 = [&](double density, double mu_as_given, double alpha) {
     return density * speed * speed / true_modulus(mu_as_given, alpha, scene.target.convention);
@@ -28,9 +28,12 @@ double usual_width(const Scene& scene) {
   double largest = pi4(scene.target.density, scene.target.mu_as_given, scene.target.alpha);
   for (const LowerLayerScene& layer : scene.below)
     largest = std::max(largest, pi4(layer.density, layer.mu_as_given, layer.alpha));
-  return usual_width(largest, particle_density(scene) / scene.target.density) *
-         std::max(scene.particle.radius, reach(scene.particle, scene.geometry));
+  return usual_width(largest, particle_density(scene) / scene.target.density);
 }
+
+double reach_of(const Scene& scene) { return std::max(scene.particle.radius, reach(scene.particle, scene.geometry)); }
+
+double usual_width(const Scene& scene) { return usual_width_in_reaches(scene) * reach_of(scene); }
 
 std::string width_warning(double width, double usual) {
   if (width >= usual * (1 - 1e-9)) return "";

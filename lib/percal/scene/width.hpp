@@ -10,7 +10,13 @@ namespace percal {
 // the largest; density_ratio: particle over target.     docs/theory/impact.md (8c)
 double usual_width(double pi4, double density_ratio);
 
-// m: what usual_width() says of this scene. Of a profile that reaches further than its half width, in these reaches.
+// The same of a scene: of its layer with the largest pi4.
+double usual_width_in_reaches(const Scene& scene);
+
+// m: in what a width is counted: the particle's radius, or how far a profile reaches where that is more.
+double reach_of(const Scene& scene);
+
+// m: what usual_width() says of this scene, in reaches.
 double usual_width(const Scene& scene);
 
 // m, of the outer wall: as the scene gives it, else the usual one.

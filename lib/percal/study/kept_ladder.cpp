@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "percal/base/error.hpp"
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/scene/erosion_length.hpp"
 
 namespace percal {
 namespace {
@@ -41,9 +43,9 @@ Newest newest(const Store& store, const std::string& key) {
 }  // namespace
 
 std::string study_key(const Scene& scene) {
-  const MeshScene mesh;
   const SolverScene solver;
-  const Scene any = rung_scene(scene, mesh.elements_per_radius, solver.time_step_factor, Arithmetic::single_precision);
+  const double usual = std::max(MeshScene{}.elements_per_radius, coarsest_mesh(scene));
+  const Scene any = rung_scene(scene, usual, solver.time_step_factor, Arithmetic::single_precision);
   return "study " + evaluation_key(reduce(any).problem, instruction_level());
 }
 

@@ -10,9 +10,13 @@
 #include "percal/impact/target/size.hpp"
 #include "percal/math/grid_convergence.hpp"
 #include "percal/problem/domain.hpp"
+#include "percal/scene/erosion_length.hpp"
 
 namespace percal {
 namespace {
+
+constexpr double between_meshes = 1.4;  // from one mesh of a ladder to the next
+constexpr double rounding = 0.01;       // of the finest mesh that is usual
 
 // Half the step is tried on the second mesh and on the middle one.
 std::vector<double> half_step_meshes(const std::vector<double>& meshes) {
@@ -40,6 +44,17 @@ std::vector<Setting> settings_of(const LadderOptions& options) {
 
 }  // namespace
 
+LadderOptions usual_ladder(const Scene& scene) {
+  LadderOptions options;
+  const double finest = options.meshes.back(), coarsest = coarsest_mesh(scene);
+  if (coarsest <= options.meshes.front()) return options;
+  options.meshes.clear();
+  for (double mesh = coarsest; options.meshes.size() < fewest_grids || mesh <= finest * (1 + rounding);
+       mesh *= between_meshes)
+    options.meshes.push_back(std::round(mesh));
+  return options;
+}
+
 Rung rung_of(const Reduction& reduction, const std::vector<Evaluation>& runs) {
   const Problem& problem = reduction.problem;
   Rung rung{.elements_per_radius = problem.elements_per_radius,
@@ -61,16 +76,6 @@ const Rung& Ladder::on_mesh(double elements_per_radius) const {
   return *std::ranges::find(meshes, elements_per_radius, &Rung::elements_per_radius);
 }
 
-Scene on_mesh(const Scene& scene, double elements_per_radius) {
-  Scene other = scene;
-  if (scene.mesh.graded_columns && elements_per_radius != scene.mesh.elements_per_radius) {
-    const Problem problem = reduce(scene).problem;
-    other.mesh.graded_columns = graded_columns_like(problem, elements_per_radius, problem.width);
-  }
-  other.mesh.elements_per_radius = elements_per_radius;
-  return other;
-}
-
 Scene rung_scene(const Scene& scene, double elements_per_radius, double time_step_factor, Arithmetic arithmetic) {
   Scene rung = on_mesh(scene, elements_per_radius);
   rung.solver.time_step_factor = time_step_factor;
@@ -86,6 +91,9 @@ LadderOptions checked(LadderOptions options, const Scene& scene) {
   if (meshes.size() < fewest_grids || meshes.front() < 1 || meshes.back() > 1000)
     throw BadInput(Place{.file = "", .line = 0, .key = "--meshes"}, fmt::format("{}", fmt::join(meshes, ",")),
                    fmt::format("{} or more different numbers from 1 to 1000", fewest_grids));
+  if (meshes.front() < coarsest_mesh(scene))
+    throw BadInput(Place{.file = scene.source, .line = 0, .key = "--meshes"}, fmt::format("{}", meshes.front()),
+                   fmt::format("{} elements per radius or more, three in the erosion length", coarsest_mesh(scene)));
   if (options.replicates < fewest_ladder_replicates)
     throw BadInput(Place{.file = "", .line = 0, .key = "--replicates"}, fmt::format("{}", options.replicates),
                    fmt::format("{} or more", fewest_ladder_replicates));

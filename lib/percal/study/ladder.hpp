@@ -17,6 +17,10 @@ struct LadderOptions {
   bool operator==(const LadderOptions&) const = default;
 };
 
+// The ladder where nobody names meshes. Where erosion is judged over a length it begins with the coarsest mesh that has three elements
+// in it, four meshes or more.
+LadderOptions usual_ladder(const Scene& scene);
+
 // One setting of mesh, time step and arithmetic, with its replicates.
 struct Rung {
   double elements_per_radius = 0;
@@ -38,9 +42,6 @@ struct Ladder {
   Rung double_precision;         // on the second mesh
   const Rung& on_mesh(double elements_per_radius) const;
 };
-
-// The scene with other elements. Graded columns that the scene counts out grow as they did, in another number.
-Scene on_mesh(const Scene& scene, double elements_per_radius);
 
 // The scene as a rung has it.
 Scene rung_scene(const Scene& scene, double elements_per_radius, double time_step_factor, Arithmetic arithmetic);

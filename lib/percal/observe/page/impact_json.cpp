@@ -1,6 +1,7 @@
 #include "percal/observe/page/impact_json.hpp"
 
 #include "percal/observe/history.hpp"
+#include "percal/observe/page/depth_error.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/replicates.hpp"
 #include "percal/scene/erosion_length.hpp"
@@ -66,6 +67,14 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, double depth) 
           {"reused", run.reused}};
 }
 
+// Null where there is no depth. A study's error of the mesh holds for the depth that it chose the mesh for.
+Json error_to_json(const ImpactFindings& f) {
+  if (!f.penetration.depth) return nullptr;
+  ErrorEvidence evidence = f.evidence;
+  if (f.accuracy) evidence.discretisation = f.accuracy->discretisation_error;
+  return depth_error_to_json(depth_error(f.scene, f.reduction, f.penetration, evidence));
+}
+
 // What the runs say; of none: null.
 Json outcome_to_json(const ImpactFindings& f) {
   const bool ran = !f.runs.empty();
@@ -82,6 +91,8 @@ Json outcome_to_json(const ImpactFindings& f) {
       {"depth_spread_m", finite(f.penetration.spread)},
       {"depth_standard_error_m", finite(f.penetration.standard_error)},
       {"depth_at_least_m", finite(f.penetration.at_least)},
+      {"depth_error", error_to_json(f)},
+      {"extrapolation", extrapolation_to_json(f.evidence.extrapolation)},
       {"steps", of_a_run(middle.steps)},
       {"elements", of_a_run(middle.elements)},
       {"element_steps", of_a_run(middle.element_steps)},
@@ -101,6 +112,7 @@ Json impact_to_json(const ImpactFindings& f) {
   if (!f.runs.empty())
     for (const std::string& warning : warnings(f.penetration, f.runs))
       sentences.push_back(warning);
+  for (const std::string& note : f.evidence.notes) sentences.push_back(note);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));
   result.update({{"mu_as_given_Pa", f.scene.target.mu_as_given},

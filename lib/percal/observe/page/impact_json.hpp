@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "percal/observe/depth_error.hpp"
 #include "percal/observe/penetration.hpp"
 #include "percal/page/result.hpp"
 #include "percal/scene/scene.hpp"
@@ -39,6 +40,7 @@ struct ImpactFindings {
   Penetration penetration = {};       // of the runs
   page::Cost cost = {};
   std::optional<AdvisedAccuracy> accuracy = {};
+  ErrorEvidence evidence = {};  // what was measured of the depth's error
   std::optional<WrittenFields> fields = {};
   std::string picture = "";  // file; empty: none
 };

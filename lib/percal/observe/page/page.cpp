@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "percal/observe/page/depth_error.hpp"
 #include "percal/observe/page/over_time.hpp"
 #include "percal/observe/page/scene_words.hpp"
 #include "percal/page/numbers.hpp"
@@ -27,15 +28,7 @@ std::string title_of(const Json& result) {
 
 std::string summary_of(const Json& result) {
   if (at(result, "outcome").is_null()) return "Not run. " + text(at(result, "accuracy"), "why_not");
-  if (const auto depth = number(result, "depth_m")) {
-    std::string summary = fmt::format("Depth {}", length(depth));
-    if (number(result, "depth_standard_error_m"))
-      summary += fmt::format(
-          ", standard error {} (over the mesh phase and the speed together a single run scatters by {}, {})",
-          length(number(result, "depth_standard_error_m"), 3), length(number(result, "depth_spread_m"), 3),
-          counted(static_cast<long>(list(result, "runs").size()), "run"));
-    return summary + "; the particle stopped in every run.";
-  }
+  if (number(result, "depth_m")) return "Depth " + depth_words(result);
   if (number(result, "depth_at_least_m"))
     return fmt::format("The particle passed through the target: deeper than {}.",
                        length(number(result, "depth_at_least_m")));
@@ -131,19 +124,27 @@ Figure scatter_figure(const Json& result) {
   return figure;
 }
 
-// Where the error comes from, and what to do about the part that these runs do not show.
+// What to do about the parts of the error that these runs do not show.
 std::string error_words(const Json& result) {
   const Json& accuracy = at(result, "accuracy");
   if (list(result, "runs").empty()) return "";
   if (accuracy.is_null())
-    return "The standard error is that of mesh phase and erosion noise; the error of the element size is not in it. "
-           "`percal study SCENE "
-           "--error-vs-time` measures it, `percal impact SCENE --accuracy 2%` chooses mesh and replicates by it.";
+    return "`--measure-errors` measures what wall, time step and K cost this depth; `percal study SCENE "
+           "--error-vs-time` "
+           "measures the element size, `--accuracy 2%` chooses mesh and replicates by it.";
   return fmt::format(
       "Estimated error of the depth {} (element size {}, mesh phase and noise {}), from the scene's study{}.",
       rough_percent(number(accuracy, "error")), rough_percent(number(accuracy, "discretisation_error")),
       rough_percent(number(accuracy, "noise_error")),
       yes(accuracy, "cost_estimated") ? ", by extrapolation beyond its meshes" : "");
+}
+
+// "5 over the mesh phase: standard error 120 nm, a single run scatters by 270 nm"
+std::string runs_words(const Json& result) {
+  const auto runs = list(result, "runs").size();
+  if (!number(result, "depth_standard_error_m")) return shown(static_cast<double>(runs));
+  return fmt::format("{} over the mesh phase: standard error {}, a single run scatters by {}", runs,
+                     length(number(result, "depth_standard_error_m"), 3), length(number(result, "depth_spread_m"), 3));
 }
 
 std::string with_words(const std::string& value, const std::string& words) {
@@ -158,6 +159,7 @@ Section result_section(const Json& result) {
   };
   const bool as_mu1 = text(result, "convention") == "mu/alpha";
   const auto per_radius = scene_number(toml_of(result), "mesh", "elements_per_radius");
+  row("runs", runs_words(result));
   row("mu, true", pressure(number(result, "mu_true_Pa")) + (as_mu1 ? "" : ", as the scene gives it"));
   row("2 mu/alpha", pressure(mu1_of(result)) + (as_mu1 ? ", as the scene gives it" : ""));
   row("bulk modulus K", pressure(number(result, "bulk_modulus_Pa")) +
@@ -180,6 +182,7 @@ Section result_section(const Json& result) {
     row("fields of the middle run",
         text(fields, "list") + ", " + counted(static_cast<long>(number_or(fields, "frames", 0)), "frame"));
   row("picture of the middle run", text(result, "picture"));
+  add_sentence(section, depth_bias(result));
   add(section, table);
   add_sentence(section, error_words(result));
   return section;
@@ -220,8 +223,9 @@ page::Page impact_page(const page::Json& result) {
   Page page;
   page.title = title_of(result);
   page.summary = summary_of(result);
-  for (auto section : {result_section, findings_section, asked_section, runs_section, impact_history_section,
-                       impact_energy_section, left_out_section, provenance_section, input_section})
+  for (auto section :
+       {result_section, findings_section, depth_error_section, asked_section, runs_section, impact_history_section,
+        impact_energy_section, left_out_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }
