@@ -99,8 +99,7 @@ Json impact_to_json(const ImpactFindings& f) {
   for (const LeftOut& omission : f.reduction.left_out)
     left_out.push_back({{"what", omission.what}, {"why", omission.why}});
   if (!f.runs.empty())
-    for (const std::string& warning : warnings(f.penetration, f.runs))
-      sentences.push_back(warning);
+    for (const std::string& warning : warnings(f.penetration, f.runs)) sentences.push_back(warning);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));
   result.update({{"mu_as_given_Pa", f.scene.target.mu_as_given},
