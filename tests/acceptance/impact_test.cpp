@@ -46,8 +46,8 @@ TEST_F(Impact, ThatStopsGivesADepth) {
   EXPECT_LT(found["depth_m"], 600e-6);
   EXPECT_TRUE(found["depth_at_least_m"].is_null());
   EXPECT_THAT(found["cost"]["isa"].get<std::string>(), testing::Not(IsEmpty()));
-  for (const char* term : {"particle", "live_kinetic", "freed_mass", "elastic", "hourglass", "viscosity", "eroded",
-                           "collisions", "sum"})
+  for (const char* term :
+       {"particle", "live_kinetic", "freed_mass", "elastic", "hourglass", "viscosity", "eroded", "collisions", "sum"})
     EXPECT_TRUE(found["energy"].contains(term)) << term;
   EXPECT_NEAR(found["energy"]["sum"], 1, 0.05);
   ASSERT_GT(found["left_out"].size(), 0u);
@@ -128,7 +128,8 @@ TEST_F(Impact, WritesItsHistoryAsCsv) {
   EXPECT_GT(rows, 100);
   EXPECT_NEAR(first_speed, 120, 1);
   EXPECT_LE(last_speed, 0.5);
-  EXPECT_NEAR(deepest / json::parse(ended.out)["runs"][1]["depth_m"].get<double>(), 1, 1e-6) << "the middle replicate's";
+  EXPECT_NEAR(deepest / json::parse(ended.out)["runs"][1]["depth_m"].get<double>(), 1, 1e-6)
+      << "the middle replicate's";
   const json history = json::parse(ended.out)["history"];
   for (const char* column : {"time_s", "tip_m", "speed_m_s", "force_N"})
     EXPECT_EQ(history[column].size(), static_cast<std::size_t>(rows)) << column;
@@ -192,7 +193,8 @@ TEST_F(Impact, PrintsTheAnswerOnOneScreenAndTheRestWithDetails) {
   EXPECT_THAT(answer, AllOf(HasSubstr("Impact: tungsten carbide into layer"), HasSubstr("standard error"),
                             HasSubstr("2 mu/alpha"), HasSubstr("--accuracy 2%"), HasSubstr("layer.out/result.json")));
   EXPECT_LE(std::count(answer.begin(), answer.end(), '\n'), 24);
-  for (const char* there : {"eroded elements", "What was left out", "Replicates walk through the phase", "Provenance and cost"}) {
+  for (const char* there :
+       {"eroded elements", "What was left out", "Replicates walk through the phase", "Provenance and cost"}) {
     EXPECT_THAT(all, HasSubstr(there));
     EXPECT_THAT(answer, testing::Not(HasSubstr(there)));
   }

@@ -72,8 +72,7 @@ std::vector<std::vector<double>> true_points(const CalibrationJob& job, const Em
 std::vector<double> solved(const CalibrationJob& job, Campaign& campaign, const std::vector<double>& natural) {
   std::vector<Problem> problems;
   for (const auto& shot : job.shots)
-    problems.push_back(
-        shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, natural), mesh));
+    problems.push_back(shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, natural), mesh));
   std::vector<double> log_depths;
   const auto runs = campaign.evaluate(problems, nullptr);
   for (std::size_t i = 0; i < runs.size(); ++i) {

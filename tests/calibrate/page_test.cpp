@@ -132,12 +132,11 @@ TEST_F(CalibratePageOfResult, SaysEveryNumberWithItsInterval) {
 }
 
 TEST_F(CalibratePageOfResult, HypothesesStandSideBySide) {
-  EXPECT_THAT(
-      words("hypotheses"),
-      AllOf(HasSubstr("hypothesis | 1 | 2"), HasSubstr("mu means | true | mu/alpha"),
-            HasSubstr("a held erosion strain is | engineering | true"),
-            HasSubstr("mu | 100 kPa | 90 kPa held"), HasSubstr("mu_hard | 200 kPa | -"),
-            HasSubstr("balls, fitted | 8.0 % | 8.0 %"), HasSubstr("by hand, predicted | - | -")));
+  EXPECT_THAT(words("hypotheses"),
+              AllOf(HasSubstr("hypothesis | 1 | 2"), HasSubstr("mu means | true | mu/alpha"),
+                    HasSubstr("a held erosion strain is | engineering | true"), HasSubstr("mu | 100 kPa | 90 kPa held"),
+                    HasSubstr("mu_hard | 200 kPa | -"), HasSubstr("balls, fitted | 8.0 % | 8.0 %"),
+                    HasSubstr("by hand, predicted | - | -")));
 }
 
 TEST_F(CalibratePageOfResult, ShotsStandBesideTheClosedForm) {

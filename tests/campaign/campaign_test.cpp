@@ -64,13 +64,10 @@ TEST_F(CampaignTest, AnotherProblemIsRun) {
   EXPECT_EQ(store->size(), 2);
 }
 
-// Beyond the stable step, with nothing that damps or erodes.
+// An elastic sphere too stiff to be run.
 TEST_F(CampaignTest, FailuresAreKeptAsFailures) {
   Problem p = quick();
-  p.alpha = 2;
-  p.erosion = NoErosion{};
-  p.hourglass = p.linear_viscosity = p.quadratic_viscosity = 0;
-  p.time_step_factor = 1.2;
+  p.particle = ElasticSphere{1e8, 0.3};
   Campaign campaign(store.get(), 1);
   EXPECT_EQ(campaign.evaluate(p).result.outcome, Outcome::unstable);
   EXPECT_EQ(store->find(evaluation_key(p, instruction_level()))->outcome, "unstable");

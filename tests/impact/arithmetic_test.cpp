@@ -32,9 +32,8 @@ Sample run_sample(Problem problem, Arithmetic arithmetic) {
     const ImpactResult result = run_impact(problem);
     EXPECT_EQ(result.outcome, Outcome::stopped) << "replicate " << k;
     sample.depths.push_back(result.depth);
-    for (double EnergyLedger::*share :
-         {&EnergyLedger::live_kinetic, &EnergyLedger::elastic, &EnergyLedger::viscosity, &EnergyLedger::eroded,
-          &EnergyLedger::collisions, &EnergyLedger::freed_mass})
+    for (double EnergyLedger::*share : {&EnergyLedger::live_kinetic, &EnergyLedger::elastic, &EnergyLedger::viscosity,
+                                        &EnergyLedger::eroded, &EnergyLedger::collisions, &EnergyLedger::freed_mass})
       sample.energy.*share += result.energy.*share / replicates;
   }
   sample.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -105,8 +105,8 @@ TEST(Energy, SettingSClosesToTwoPercentAndStopsWhereItShould) {
 
 TEST(Energy, NoTermIsNegative) {
   const EnergyLedger e = run_impact(setting_s()).energy;
-  for (const double share : {e.particle, e.live_kinetic, e.freed_mass, e.elastic, e.hourglass, e.viscosity, e.eroded,
-                             e.collisions})
+  for (const double share :
+       {e.particle, e.live_kinetic, e.freed_mass, e.elastic, e.hourglass, e.viscosity, e.eroded, e.collisions})
     EXPECT_GE(share, 0);
 }
 

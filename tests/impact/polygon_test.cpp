@@ -100,7 +100,8 @@ TEST(Polygon, AConesPushIsTheIntegralOfItsOverlap) {
 // The bottom is the nearest side where |x| < 1 - s: the integral of 2 s (1 - s) to D.
 TEST(Polygon, ASquaresPushSideFirstIsTheIntegralOverThePartThatItsBottomIsNearestTo) {
   const double depth = 0.45, exact = depth * depth - 2.0 / 3 * std::pow(depth, 3);
-  EXPECT_NEAR(push_of_heavy(prism_impact(square_on_its_side(), 60), depth), exact, 2e-2 * exact) << "the diagonals count twice";
+  EXPECT_NEAR(push_of_heavy(prism_impact(square_on_its_side(), 60), depth), exact, 2e-2 * exact)
+      << "the diagonals count twice";
 }
 
 TEST(Polygon, ANodeIsPushedAcrossTheNearestSide) {
@@ -126,7 +127,8 @@ TEST(Polygon, ANodeAsNearToTwoSidesIsPushedAlongTheirMean) {
     // On the middle line both sides are (D - z) sin 45 deg away, and the mean normal (0, sin 45 deg): it ends at the tip.
     const double below = std::max(0.0, step.particle().tip() - j * block.mesh().row_height);
     EXPECT_EQ(block.view().u_r[block.at(middle, j)], 0);
-    if (below > 0.1) EXPECT_NEAR(block.view().u_z[block.at(middle, j)], below, 0.01 * depth) << "the particle slows down";
+    if (below > 0.1)
+      EXPECT_NEAR(block.view().u_z[block.at(middle, j)], below, 0.01 * depth) << "the particle slows down";
   }
   // Beside it only the nearer side pushes, along its own normal.
   const long beside = block.at(middle + 1, 0);
@@ -159,8 +161,8 @@ TEST(Polygon, WhatAFreeOneLosesTheNodesGain) {
   step.take();
   const double spin = step.particle().velocity_at(0, 1).x - step.particle().velocity_at(0, 0).x;
   const double right = step.sum([](double, double, double v_x, double) { return v_x; });
-  const double turning = step.sum(
-      [&](double x, double z, double v_x, double v_z) { return v_x * (z - centre) - v_z * x; });
+  const double turning =
+      step.sum([&](double x, double z, double v_x, double v_z) { return v_x * (z - centre) - v_z * x; });
   EXPECT_LT(step.particle().speed(), 0.999);
   EXPECT_NEAR(step.momentum(), profile.mass * (1 - step.particle().speed()), 1e-13);
   EXPECT_GT(std::abs(spin), 1e-4);

@@ -28,8 +28,8 @@ TEST(Supersonic, ImpactsEndAsANamedOutcomeWithTheirEnergyAccountedFor) {
       EXPECT_TRUE(result.outcome == Outcome::stopped || result.outcome == Outcome::passed_through)
           << pi4 << ": " << word(result.outcome) << " " << result.reason;
       EXPECT_LT(std::abs(result.energy.closure()), 0.05) << pi4 << ", " << rates << " rates";
-      for (const double number : {result.depth, result.end_speed, result.end_time, result.smallest_jacobian,
-                                  result.smallest_step})
+      for (const double number :
+           {result.depth, result.end_speed, result.end_time, result.smallest_jacobian, result.smallest_step})
         EXPECT_TRUE(std::isfinite(number)) << pi4;
       for (const auto& [key, share, words] : energy_terms) EXPECT_TRUE(std::isfinite(result.energy.*share)) << key;
       EXPECT_GT(result.energy.viscosity, 0.02) << "shocks dissipate";

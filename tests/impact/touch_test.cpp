@@ -86,8 +86,8 @@ TEST(Touch, ImpulsesOnABodyThatIsFreeToTurnDoWhatTheyHaveTo) {
     const double lost = body.part(touches, columns, after);
     double down = mass * (after.down - before.down), right = mass * (after.right - before.right),
            turning = inertia * (after.spin - before.spin);
-    double kinetic_after = 0.5 * mass * (after.down * after.down + after.right * after.right) +
-                           0.5 * inertia * after.spin * after.spin;
+    double kinetic_after =
+        0.5 * mass * (after.down * after.down + after.right * after.right) + 0.5 * inertia * after.spin * after.spin;
     for (const Touch& touch : touches) {
       const double now = touch.now + touch.impulse / touch.mass;
       const double closing = touch.away_z * (after.down - after.spin * (touch.x - body.x)) +

@@ -29,9 +29,7 @@ Penetration of(const std::vector<Evaluation>& runs) {
   return summarise(runs, problem, micrometres);
 }
 
-std::vector<std::string> told(const std::vector<Evaluation>& runs) {
-  return warnings(of(runs), runs);
-}
+std::vector<std::string> told(const std::vector<Evaluation>& runs) { return warnings(of(runs), runs); }
 
 TEST(Penetration, IsTheMeanOfTheReplicatesWithTheirSampleDeviation) {
   const Penetration p = of({ended(Outcome::stopped, 25), ended(Outcome::stopped, 26), ended(Outcome::stopped, 30)});

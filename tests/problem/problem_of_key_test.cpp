@@ -15,8 +15,8 @@ class RandomProblems {
     Problem p;
     for (double Problem::*number :
          {&Problem::pi4, &Problem::density_ratio, &Problem::alpha, &Problem::bulk_ratio, &Problem::depth,
-          &Problem::width, &Problem::fine_width, &Problem::hourglass,
-          &Problem::linear_viscosity, &Problem::quadratic_viscosity, &Problem::time_step_factor, &Problem::end_time})
+          &Problem::width, &Problem::fine_width, &Problem::hourglass, &Problem::linear_viscosity,
+          &Problem::quadratic_viscosity, &Problem::time_step_factor, &Problem::end_time})
       p.*number = number_of_any_size();
     p.alpha *= choice(2) ? 1 : -1;
     p.bottom = choice(2) ? Bottom::fixed : Bottom::free;

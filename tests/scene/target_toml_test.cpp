@@ -142,6 +142,7 @@ TEST(SolverToml, EveryChoiceIsRead) {
           .solver;
   SolverScene expected;
   expected.hourglass_form = HourglassForm::viscosity;
+  expected.hourglass = usual_hourglass(HourglassForm::viscosity);
   expected.volumetric_law = VolumetricLaw::logarithmic;
   expected.eroded_nodes = ErodedNodes::in_contact;
   expected.rates = 1;

@@ -121,8 +121,7 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
         emulator = sizes.emulator;
         data = sizes.data;
       }
-      add_targets(job, k, model, fit, job.training.seed + static_cast<unsigned>(round), targets,
-                  candidates);
+      add_targets(job, k, model, fit, job.training.seed + static_cast<unsigned>(round), targets, candidates);
       trained.fits.push_back(std::move(fit));
     }
     EmulatorReport& report = training.report();

@@ -117,8 +117,7 @@ std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, c
   const auto natural = natural_values(job, read, model.of_job, fit.at);
   std::vector<Problem> problems;
   for (const MeasuredShot& shot : shots_of(job, fit.shots))
-    problems.push_back(
-        shot_problem(job, shot, material_at(job, read, shot.material, natural), job.training.verify));
+    problems.push_back(shot_problem(job, shot, material_at(job, read, shot.material, natural), job.training.verify));
   return problems;
 }
 

@@ -13,8 +13,7 @@ RunSize largest_run(const CalibrationJob& job) {
   const Hypothesis& any = job.hypotheses.front();
   RunSize largest;
   for (const MeasuredShot& shot : job.shots) {
-    const Problem problem =
-        shot_problem(job, shot, material_at(job, any, shot.material, natural), job.training.verify);
+    const Problem problem = shot_problem(job, shot, material_at(job, any, shot.material, natural), job.training.verify);
     refuse_what_is_too_large(problem, job.file, {"training.verify", "shots.layer_depth", "shots.layer_width"});
     if (const RunSize size = size_of(problem); size.elements > largest.elements) largest = size;
   }

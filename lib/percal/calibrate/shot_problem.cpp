@@ -44,8 +44,8 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
   return at;
 }
 
-Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot,
-                 const MaterialAt& material, double elements_per_radius) {
+Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+                 double elements_per_radius) {
   Scene scene;
   scene.source = job.file;
   scene.particle.radius = shot.radius;
@@ -64,8 +64,8 @@ Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot,
   return scene;
 }
 
-Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot,
-                     const MaterialAt& material, double elements_per_radius) {
+Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+                     double elements_per_radius) {
   return reduce(shot_scene(job, shot, material, elements_per_radius)).problem;
 }
 

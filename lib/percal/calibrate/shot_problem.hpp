@@ -26,10 +26,10 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
 
 // The run that answers for a shot, in SI and without dimensions. A sphere is rigid, as in every published run; K/mu keeps the
 // Mach number below 0.3.
-Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot,
-                 const MaterialAt& material, double elements_per_radius);
-Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot,
-                     const MaterialAt& material, double elements_per_radius);
+Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+                 double elements_per_radius);
+Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+                     double elements_per_radius);
 
 // The emulator's inputs for a shot: those of its problem (inputs_of), but for the problem's rounding, over which nothing could be
 // differentiated. With their derivatives.

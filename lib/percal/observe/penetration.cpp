@@ -52,10 +52,10 @@ std::vector<std::string> warnings(const Penetration& penetration, const std::vec
   }
   const double loss = penetration.energy.numerical_loss();
   if (loss > tolerated_numerical_loss)
-    lines.push_back(
-        fmt::format("collisions of nodes with the particle ({:.0f} %) and bulk viscosity ({:.0f} %) take more than half of "
-                    "the impact energy: the depth hangs on how the mesh takes shocks",
-                    100 * penetration.energy.collisions, 100 * penetration.energy.viscosity));
+    lines.push_back(fmt::format(
+        "collisions of nodes with the particle ({:.0f} %) and bulk viscosity ({:.0f} %) take more than half of "
+        "the impact energy: the depth hangs on how the mesh takes shocks",
+        100 * penetration.energy.collisions, 100 * penetration.energy.viscosity));
   for (const auto& run : replicates) {
     if (!run.result.reason.empty()) lines.push_back(word(run.result.outcome) + ": " + run.result.reason);
     if (run.result.distorted > 0)

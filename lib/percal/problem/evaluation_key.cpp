@@ -131,9 +131,8 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              std::visit(ParticleText{}, p.particle), solver_version, instruction_level,
              p.arithmetic == Arithmetic::single_precision ? "single" : "double", p.pi4, p.density_ratio, p.alpha,
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
-             std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns,
-             p.hourglass, p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor,
-             p.end_time, p.speed_factor) +
+             std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,
+             p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor, p.end_time, p.speed_factor) +
          choices_text(p) + below_text(p.below) + relaxation_text(p.relaxation);
 }
 

@@ -55,8 +55,7 @@ struct Problem {
 int rates_of(const Problem& problem);
 
 // What is said of a scene or job that still gives one.
-inline constexpr char contact_stiffness_warning[] =
-    "contact_stiffness has no effect: contact has no springs any more";
+inline constexpr char contact_stiffness_warning[] = "contact_stiffness has no effect: contact has no springs any more";
 
 // v over the dilatational wave speed sqrt((K + 4 mu/3)/rho), of the layer that has the slowest.
 double mach_number(const Problem& problem);

@@ -187,9 +187,7 @@ double Problem::whole_depth() const {
   return sum;
 }
 
-int rates_of(const Problem& problem) {
-  return std::holds_alternative<NoErosion>(problem.erosion) ? 1 : problem.rates;
-}
+int rates_of(const Problem& problem) { return std::holds_alternative<NoErosion>(problem.erosion) ? 1 : problem.rates; }
 
 double mach_number(const Problem& problem) {
   double largest = std::sqrt(problem.pi4 / (problem.bulk_ratio + 4.0 / 3));

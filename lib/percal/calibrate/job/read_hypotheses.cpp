@@ -218,8 +218,7 @@ void read_hypotheses(const TomlTable& root, CalibrationJob& job) {
     check_convention(block, job, hypothesis);
     job.hypotheses.push_back(hypothesis);
   }
-  if (job.hypotheses.empty())
-    job.hypotheses.push_back({.name = "as given", .held = {}});
+  if (job.hypotheses.empty()) job.hypotheses.push_back({.name = "as given", .held = {}});
 }
 
 void read_published(const TomlTable& root, CalibrationJob& job) {

@@ -163,9 +163,8 @@ Figure error_figure(const Json& emulator) {
 }
 
 Table round_table(const Json& emulator) {
-  Table table{.caption = "Error after each round",
-              .rows = {{"runs", "processor time", "error at the optimum"}},
-              .notes = {}};
+  Table table{
+      .caption = "Error after each round", .rows = {{"runs", "processor time", "error at the optimum"}}, .notes = {}};
   for (const Json& round : list(emulator, "rounds")) {
     const double error = number_or(round, "error_at_optimum", 0);  // 0: nothing was fitted yet
     table.rows.push_back({shown(number(round, "runs")), fmt::format("{:.1f} s", number_or(round, "cpu_s", 0)),

@@ -189,8 +189,8 @@ Section cells_section(const Json& result) {
       add(section, table);
       group = text(cell, "group");
       table = {.caption = group,
-               .rows = {{"cell", "number", "outcome", "tip, radii", "energy error", "numerical loss",
-                         "smallest J", "smallest step", "Mach", "steps", "time", "notes"}},
+               .rows = {{"cell", "number", "outcome", "tip, radii", "energy error", "numerical loss", "smallest J",
+                         "smallest step", "Mach", "steps", "time", "notes"}},
                .notes = {}};
       table.caption.front() = static_cast<char>(std::toupper(group.front()));
     }
@@ -218,7 +218,8 @@ Json extremes_to_json(const std::vector<CellResult>& results, const Cost& cost) 
 }
 
 std::string extremes_csv(const Json& result) {
-  std::vector<ResultColumn> columns{{"group", "group", ResultColumn::free_text}, {"cell", "cell", ResultColumn::free_text}};
+  std::vector<ResultColumn> columns{{"group", "group", ResultColumn::free_text},
+                                    {"cell", "cell", ResultColumn::free_text}};
   for (const char* key :
        {"outcome", "tip_over_radius", "energy_closure", "smallest_jacobian", "smallest_step", "mach", "steps", "cpu_s"})
     columns.push_back({key, key});
