@@ -44,7 +44,7 @@ expect("^percal ${VERSION}")
 run(${percal} fit ${data}/synthetic/gelatin_12wt_quasistatic.csv --out ${WORK}/gel.out)
 expect("alpha")
 run(${percal} impact ${data}/guha2009/gold.toml --elements-per-radius 4 --replicates 1 --store ${WORK}/percal.store)
-expect("stopped")
+expect("Depth")
 file(WRITE ${WORK}/result.json "{\"card\": {\"name\": \"gel\", \"density_kg_m3\": 1010, \"mu_true_Pa\": 1.2e6, \"alpha\": 3,
   \"bulk_modulus_Pa\": 6e7, \"erosion\": null}}")
 run(${percal} card write ${WORK}/result.json --solver lsdyna --units mm-t-s-MPa)
