@@ -202,10 +202,15 @@ void Body::step(double kick, double drift) {
   last_drift_ = drift;
 }
 
-BodyEnergy Body::energy() const {
-  BodyEnergy energy;
+double Body::kinetic_energy() const {
+  double energy = 0;
   for (int n = 0; n < nodes(); ++n)
-    energy.kinetic += mass_[n] / 2 * (velocity_[n][0] * velocity_[n][0] + velocity_[n][1] * velocity_[n][1]);
+    energy += mass_[n] / 2 * (velocity_[n][0] * velocity_[n][0] + velocity_[n][1] * velocity_[n][1]);
+  return energy;
+}
+
+BodyEnergy Body::energy() const {
+  BodyEnergy energy{.kinetic = kinetic_energy()};
   for (int e = 0; e < elements(); ++e) {
     energy.elastic += forms_[e].volume * energy_density(e);
     for (int d = 0; d < 2; ++d) {

@@ -78,6 +78,7 @@ class Body {
   void step(double kick, double drift);
 
   BodyEnergy energy() const;
+  double kinetic_energy() const;
   // A step for which central differences are stable at this state, never longer than 2/omega of the mesh; without a
   // safety factor. Springs that others add are not in it.
   double stable_step() const;

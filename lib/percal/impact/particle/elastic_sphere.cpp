@@ -97,7 +97,10 @@ void ElasticSphereRun::follow_outline() {
   outline_.set(std::move(points));
 }
 
-void ElasticSphereRun::foresee(double time) { ahead_ = time; }
+void ElasticSphereRun::foresee(double time) {
+  ahead_ = time;
+  way_ahead_ = speed() * time;
+}
 
 OutlineTouch ElasticSphereRun::on_outline(const Touch& touch) const {
   const Inside inside = outline_.inside(seen_from_here(touch.x, touch.z));
@@ -164,9 +167,9 @@ double ElasticSphereRun::meet(std::vector<Touch>& touches, ContactColumns) {
   }
   double lost = 0;
   for (const Touch& touch : touches) lost -= touch.impulse * touch.mean_velocity();
-  const BodyEnergy before = body_.energy();
+  const double before = body_.kinetic_energy();
   kick(impulse);
-  return lost - (body_.energy().kinetic - before.kinetic);
+  return lost - (body_.kinetic_energy() - before);
 }
 
 // What moves the sphere as a whole is given to all nodes at once, as to a rigid one. What is left, which only deforms it, has

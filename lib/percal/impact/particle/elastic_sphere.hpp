@@ -61,7 +61,7 @@ class ElasticSphereRun {
 
  private:
   ElasticSphereRun(const Problem& problem, const Disc& disc);
-  Point seen_from_here(double x, double z) const { return {x, -z + speed() * ahead_}; }
+  Point seen_from_here(double x, double z) const { return {x, -z + way_ahead_}; }
   OutlineTouch on_outline(const Touch& touch) const;
   void kick(const std::vector<Point>& impulses);
   void give_out(double share);
@@ -75,7 +75,7 @@ class ElasticSphereRun {
   Outline outline_;
   std::vector<Point> blow_;  // velocities that kick() gave and drift() has yet to give out
   double mass_ = 0;
-  double ahead_ = 0;                      // the time that is foreseen
+  double ahead_ = 0, way_ahead_ = 0;      // the time that is foreseen, and how far down it leads
   double rest_work_ = 0;                  // done on the body by what drift() gave out
   double own_inverse_square_step_ = 0;    // 1/dt^2 of the body
   int moves_to_look_ = 0;
