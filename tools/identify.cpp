@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
-#include "percal/campaign/campaign.hpp"
+#include "percal/campaign/run_cost.hpp"
 #include "percal/card/solver.hpp"
 #include "percal/identify/page/identification_json.hpp"
 #include "percal/identify/run_sizes.hpp"
@@ -49,14 +49,7 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   const Identification found = identify(job, campaign, [&](const ComparedNumbers& step) {
     if (as_they_come) print(comparison_table(comparison_to_json(job, step)));
   });
-  const CampaignCost cost = campaign.cost();
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  const page::Json result = identification_to_json(job, found,
-                                                   {.runs = cost.runs,
-                                                    .reused = cost.reused,
-                                                    .cpu_seconds = cost.cpu_seconds,
-                                                    .wall_seconds = wall.count(),
-                                                    .instruction_level = instruction_level()});
+  const page::Json result = identification_to_json(job, found, cost_since(start, campaign));
   deliver(result, folder, common);
   if (found.card && !folder.empty()) write_cards(*found.card, folder);
   if (found.complete()) {

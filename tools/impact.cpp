@@ -8,7 +8,7 @@
 #include "impact_views.hpp"
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
-#include "percal/campaign/campaign.hpp"
+#include "percal/campaign/run_cost.hpp"
 #include "percal/impact/target/size.hpp"
 #include "percal/observe/history.hpp"
 #include "percal/problem/replicates.hpp"
@@ -121,12 +121,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   found.evidence = evidence_of(arguments, found, campaign);
   found.fields = views.fields();
   found.picture = arguments.picture;
-  const CampaignCost cost = campaign.cost();
-  found.cost = {.runs = cost.runs,
-                .reused = cost.reused,
-                .cpu_seconds = cost.cpu_seconds,
-                .wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                .instruction_level = found.runs.front().instruction_level};
+  found.cost = cost_since(start, campaign);
   write_history(found, arguments.history, folder);
   deliver(impact_to_json(found), folder, common);
   views.draw(picture_title(scene, reduction, middle_run(found)));

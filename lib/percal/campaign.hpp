@@ -7,4 +7,5 @@
 //     const auto runs = campaign.replicate({reduction.problem}, 3, nullptr);
 #pragma once
 #include "percal/campaign/campaign.hpp"
+#include "percal/campaign/run_cost.hpp"
 #include "percal/campaign/sphere_runs.hpp"

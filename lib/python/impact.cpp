@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "core.hpp"
-#include "percal/campaign/campaign.hpp"
+#include "percal/campaign/run_cost.hpp"
 #include "percal/impact/target/size.hpp"
 #include "percal/observe/page/impact_json.hpp"
 #include "percal/problem/replicates.hpp"
@@ -33,12 +33,7 @@ std::string impact(Scene scene, std::optional<double> elements_per_radius, std::
     campaign.stop_when([&] { return stop.load(); });
     found.runs = campaign.evaluate(replicates_of(reduction.problem, scene.replicates), nullptr);
     found.penetration = summarise(found.runs, reduction.problem, reduction.scales);
-    const CampaignCost cost = campaign.cost();
-    found.cost = {.runs = cost.runs,
-                  .reused = cost.reused,
-                  .cpu_seconds = cost.cpu_seconds,
-                  .wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-                  .instruction_level = found.runs.front().instruction_level};
+    found.cost = cost_since(start, campaign);
   });
   return page::written(impact_to_json(found));
 }

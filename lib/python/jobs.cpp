@@ -8,6 +8,7 @@
 #include "core.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/page/page.hpp"
+#include "percal/campaign/run_cost.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/page/identification_json.hpp"
 #include "percal/impact/kernel/kernel.hpp"
@@ -67,14 +68,7 @@ std::string identified(const std::string& path, const std::string& store_path, i
     campaign.stop_when([&] { return stop.load(); });
     const Identification found =
         identify(job, campaign, [&](const ComparedNumbers& step) { say(announce, stop, step.name); });
-    const CampaignCost cost = campaign.cost();
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result = text_of(identification_to_json(job, found,
-                                            {.runs = cost.runs,
-                                             .reused = cost.reused,
-                                             .cpu_seconds = cost.cpu_seconds,
-                                             .wall_seconds = wall,
-                                             .instruction_level = instruction_level()}));
+    result = text_of(identification_to_json(job, found, cost_since(start, campaign)));
   });
   return result;
 }

@@ -22,7 +22,7 @@ MAY_SEE = {
     "card": ["base", "units", "text", "material"],
     "fit": ["base", "math", "units", "text", "material", "estimate", "card", "plot", "page"],
     "invert": ["base", "math"],
-    "campaign": ["base", "math", "units", "scene", "problem", "impact", "observe", "store", "invert"],
+    "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
     "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot", "page"],
