@@ -1,4 +1,4 @@
-// Fields and picture of the first replicate, where they were asked for.
+// Fields and picture of the middle replicate, where they were asked for.
 #pragma once
 #include <optional>
 #include <string>

@@ -126,7 +126,7 @@ Figure ledger_figure(const Times& times, const Json& energy) {
   double worst = 0;
   for (const double sum : height) worst = std::max(worst, std::abs(sum - 1));
   figure.caption = fmt::format(
-      "Shares of the impact energy of the first replicate, one upon the other. The stack is at 1 within {:.2g} %: "
+      "Shares of the impact energy of the middle replicate, one upon the other. The stack is at 1 within {:.2g} %: "
       "that is the solver's own energy error.",
       100 * worst);
   figure.alt = "The terms of the energy ledger stacked over time. " + figure.caption;
