@@ -49,10 +49,11 @@ Scene drawn_with_length(Draws& draws) {
   return scene;
 }
 
-// As deep as it needs, and no deeper; nothing where a single run on `elements_per_radius` is not so deep, in radii.
+// As deep as it needs, and no deeper; nothing where a single run on `elements_per_radius` erodes nothing or is not so deep, in radii.
 std::optional<Scene> cut_to_its_depth(Scene scene, double elements_per_radius, double most_radii, Campaign& campaign) {
   const ImpactResult run = campaign.evaluate(reduce(on_mesh(scene, elements_per_radius)).problem).result;
-  if (run.outcome != Outcome::stopped || run.depth < shallowest || run.depth > most_radii) return std::nullopt;
+  const bool is_so_deep = run.depth >= shallowest && run.depth <= most_radii;
+  if (run.outcome != Outcome::stopped || run.eroded == 0 || !is_so_deep) return std::nullopt;
   scene.target.depth = scene.particle.radius * std::ceil(1.5 * run.depth + 5);
   return scene;
 }

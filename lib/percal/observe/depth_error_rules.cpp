@@ -49,7 +49,7 @@ constexpr double rounding = 1e-9;
 
 constexpr double step_share = 0.02, usual_step = 0.9;
 // By the stress at the erosion limit over K.
-constexpr double stressed_from = 0.3, share_of_bulk = 0.05, share_of_bulk_stressed = 0.14;
+constexpr double stressed_from = 0.3, share_of_bulk = 0.05, share_of_bulk_stressed = 0.16;
 constexpr double share_of_squared_mach = 0.17;
 
 // By pi4; of second order in h/l where it is smaller than those measured.

@@ -105,9 +105,11 @@ std::string depth_words(const Json& result) {
 
 std::string bias_words(const Json& result) {
   const Json& bias = at(at(result, "depth_error"), "bias");
-  if (bias.is_null()) return "";
-  return fmt::format("Not in this error: the elements' bias, ± {} (95 %) by rule: {}. `--extrapolate` removes it.",
-                     length(number(bias, "half_width_m"), 2), text(bias, "how"));
+  const auto half_width = number(bias.is_null() ? bias : at(bias, "half_width_m"));
+  if (!half_width) return "";
+  const ShownUnit unit = length_unit(number_or(result, "depth_m", *half_width));
+  return fmt::format("Not in this error: the elements' bias, ± {:.2g} {} (95 %) by rule: {}. `--extrapolate` removes it.",
+                     *half_width / unit.size, unit.name, text(bias, "how"));
 }
 
 std::string mesh_depths(const Json& result) {
