@@ -99,6 +99,7 @@ TEST_F(DepthErrorTest, WithALengthSaysWhatTheElementsLeave) {
                            .replicates = 5};
   const DepthError found = error({.extrapolation = line});
   EXPECT_FALSE(found.bias);
+  EXPECT_FALSE(error({.discretisation = 0.01}).bias) << "a study's number is in the total";
   EXPECT_EQ(found.belongs_to, "");
   EXPECT_EQ(found.of(DepthErrorSource::mesh_size).half_width, 0.25e-3);
   EXPECT_NEAR(*found.of(DepthErrorSource::mesh_phase).half_width, 2.7764 * 0.2e-3, 1e-8);
