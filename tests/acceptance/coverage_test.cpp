@@ -127,7 +127,8 @@ TEST(SlowCoverage, ThePrintedErrorAndBiasReachTheDepthAtNoElementSizeInNineOfTen
     ASSERT_TRUE(limit) << "seed " << seed + 1 << ", scene " << n;
     const DepthError error = depth_error(*scene, reduction, found);
     const double phase = *error.of(DepthErrorSource::mesh_phase).half_width, bias = error.bias->half_width.value();
-    const double theirs = *phase_half_width(limit->standard_error, limit->replicates), off = limit->depth - *found.depth;
+    const double theirs = *phase_half_width(limit->standard_error, limit->replicates),
+                 off = limit->depth - *found.depth;
     held += std::abs(off) <= std::hypot(phase, bias, theirs) ? 1 : 0;
     fmt::print("{:2}: {:5.2f} radii, h/l {:.2f}, phase {:4.1f} %, bias {:4.1f} %, at h = 0 {:+5.1f} % ({:4.1f})\n", n,
                *found.depth / scene->particle.radius, *element_over_erosion_length(*scene), 100 * phase / *found.depth,

@@ -55,15 +55,15 @@ ErrorPart phase_part(const Penetration& penetration, const ErrorEvidence& eviden
 ErrorPart size_part(const Scene& scene, double depth, const ErrorEvidence& evidence) {
   const double per_radius = scene.mesh.elements_per_radius;
   if (const auto& line = evidence.extrapolation)
-    return {DepthErrorSource::mesh_size, line->model_error,
-            "how much farther a line in h would go, and 1 % at least"};
+    return {DepthErrorSource::mesh_size, line->model_error, "how much farther a line in h would go, and 1 % at least"};
   if (evidence.discretisation)
     return {DepthErrorSource::mesh_size,
             normal_quantile(0.5 + depth_error_level / 2) * *evidence.discretisation * depth,
             "the scene's study of error against time, by the fitted curve to h = 0"};
   if (const auto share = element_over_erosion_length(scene))
-    return {DepthErrorSource::mesh_size, std::nullopt,
-            fmt::format("belongs to elements of {:.2g} of the erosion length; their bias has a line of its own", *share)};
+    return {
+        DepthErrorSource::mesh_size, std::nullopt,
+        fmt::format("belongs to elements of {:.2g} of the erosion length; their bias has a line of its own", *share)};
   if (std::holds_alternative<NoErosion>(scene.target.erosion))
     return {DepthErrorSource::mesh_size, std::nullopt, "not measured: percal study --error-vs-time does"};
   return {DepthErrorSource::mesh_size, std::nullopt,

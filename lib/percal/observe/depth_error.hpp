@@ -26,7 +26,8 @@ struct ErrorPart {
 struct DepthError {
   std::vector<ErrorPart> parts;  // one a source
   std::string belongs_to;        // "elements of 1/10 radius"; empty where the depth is that of h = 0
-  std::optional<ErrorPart> bias;  // what h/l leaves in the depth, by rule; nothing without an erosion length, or at h = 0
+  // What h/l leaves in the depth, by rule; nothing without an erosion length, or at h = 0.
+  std::optional<ErrorPart> bias;
 
   // m: the root of the sum of squares of the known parts, without the bias; nothing where none is known.
   std::optional<double> half_width() const;
@@ -57,9 +58,9 @@ struct Extrapolation {
 struct ErrorEvidence {
   std::vector<MeasuredEffect> effects = {};  // sources without one go by rule
   std::optional<Extrapolation> extrapolation = {};
-  std::optional<double> discretisation =
-      {};  // share of the depth, a standard error, where a study of the scene says so
-  std::vector<std::string> notes = {};           // what was asked for and could not be measured, and why
+  // Share of the depth, a standard error, where a study of the scene says so.
+  std::optional<double> discretisation = {};
+  std::vector<std::string> notes = {};  // what was asked for and could not be measured, and why
 };
 
 // Of replicates that all stopped: penetration.depth is there.

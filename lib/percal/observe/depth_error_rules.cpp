@@ -44,7 +44,8 @@ struct WallRow {
 
 // docs/theory/errors.md (13): what 95 of 100 random scenes kept.
 constexpr std::array<WallRow, 4> wall_rows{{{0, 0.12}, {5, 0.06}, {8, 0.02}, {12, 0.01}}};
-constexpr double slow_width = 5, firm_from = 20, share_of_firm = 0.02;  // stress at the erosion limit over mu, slow shots
+// Slow shots: from this stress at the erosion limit on, over mu.
+constexpr double slow_width = 5, firm_from = 20, share_of_firm = 0.02;
 constexpr double rounding = 1e-9;
 
 constexpr double step_share = 0.02, usual_step = 0.9;
@@ -59,8 +60,8 @@ constexpr double biased_from = 8, share_of_bias = 0.05, share_of_bias_of_fast = 
 
 RuledShare wall_share(const Scene& scene, const Problem& problem) {
   const double width = problem.width * scene.particle.radius / reach_of(scene) * (1 + rounding);
-  const auto row = std::ranges::find_if(wall_rows.rbegin(), wall_rows.rend(),
-                                        [&](const WallRow& one) { return width >= one.from; });
+  const auto row =
+      std::ranges::find_if(wall_rows.rbegin(), wall_rows.rend(), [&](const WallRow& one) { return width >= one.from; });
   const bool is_slow = usual_width_in_reaches(scene) <= slow_width;
   const bool is_firm =
       is_slow && width >= slow_width && limit_stress_over_bulk(problem) * problem.bulk_ratio >= firm_from;

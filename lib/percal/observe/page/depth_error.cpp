@@ -108,16 +108,17 @@ std::string bias_words(const Json& result) {
   const auto half_width = number(bias.is_null() ? bias : at(bias, "half_width_m"));
   if (!half_width) return "";
   const ShownUnit unit = length_unit(number_or(result, "depth_m", *half_width));
-  return fmt::format("Not in this error: the elements' bias, ± {:.2g} {} (95 %) by rule: {}. `--extrapolate` removes it.",
-                     *half_width / unit.size, unit.name, text(bias, "how"));
+  return fmt::format(
+      "Not in this error: the elements' bias, ± {:.2g} {} (95 %) by rule: {}. `--extrapolate` removes it.",
+      *half_width / unit.size, unit.name, text(bias, "how"));
 }
 
 std::string mesh_depths(const Json& result) {
   const Json& line = at(result, "extrapolation");
   if (line.is_null()) return "";
   const auto meshes = numbers(at(line, "elements_per_radius")), depths = numbers(at(line, "mesh_depths_m"));
-  return fmt::format("{} with {:.4g}, {} with {:.4g} elements per radius, {} runs on each", length(depths[0]), meshes[0],
-                     length(depths[1]), meshes[1], shown(number(line, "replicates")));
+  return fmt::format("{} with {:.4g}, {} with {:.4g} elements per radius, {} runs on each", length(depths[0]),
+                     meshes[0], length(depths[1]), meshes[1], shown(number(line, "replicates")));
 }
 
 bool rules_are_in(const Json& result) {
