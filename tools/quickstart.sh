@@ -10,6 +10,6 @@ echo "quickstart: building build/release/percal"
 cmake --preset release -DPERCAL_TESTS=OFF
 cmake --build --preset release --target percal_program
 
-echo "quickstart: identifying the skin of data/guha2009/skin.toml, up to four minutes the first time"
+echo "quickstart: identifying the skin of data/guha2009/skin.toml, five minutes on two cores the first time"
 build/release/percal identify data/guha2009/skin.toml --out skin.out
 echo "quickstart: the result is skin.out/result.json, the material cards are beside it"

@@ -237,7 +237,7 @@ TEST_F(ImpactPage, AnExtrapolatedDepthIsTheOneThatIsShown) {
                                                .finer_depth = 26.25e-6,
                                                .replicates = 2};
   const page::Page whole = page();
-  EXPECT_THAT(whole.summary, AllOf(HasSubstr("Depth 25.0 um ± 3.0 um"), HasSubstr("mesh size 0.6"),
+  EXPECT_THAT(whole.summary, AllOf(HasSubstr("Depth 25.0 um ± 3.1 um"), HasSubstr("mesh size 0.6"),
                                    HasSubstr("extrapolated from 14 and 28 elements per radius")));
   EXPECT_THAT(words_of(whole), AllOf(HasSubstr("27.5 um with 14, 26.25 um with 28 elements per radius, 2 runs on each"),
                                      Not(HasSubstr("bias"))));

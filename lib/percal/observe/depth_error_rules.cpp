@@ -50,7 +50,7 @@ constexpr double rounding = 1e-9;
 
 constexpr double step_share = 0.02, usual_step = 0.9;
 // By the stress at the erosion limit over K.
-constexpr double stressed_from = 0.3, share_of_bulk = 0.05, share_of_bulk_stressed = 0.16;
+constexpr double share_of_stress = 0.2, least_of_bulk = 0.05, most_of_bulk = 0.16;
 constexpr double share_of_squared_mach = 0.17;
 
 // By pi4; of second order in h/l where it is smaller than those measured.
@@ -81,7 +81,7 @@ RuledShare bulk_share(const Reduction& reduction) {
   const double stress = limit_stress_over_bulk(reduction.problem), mach = reduction.mach;
   if (mach >= 1) return {std::nullopt, fmt::format("not known at Mach {:.2g}: the depth depends on K", mach)};
   const double beyond = std::max(0.0, mach * mach - recommended_mach * recommended_mach);
-  return {(stress < stressed_from ? share_of_bulk : share_of_bulk_stressed) + share_of_squared_mach * beyond,
+  return {std::clamp(share_of_stress * stress, least_of_bulk, most_of_bulk) + share_of_squared_mach * beyond,
           fmt::format("rule of random scenes: Mach {:.2g}, stress at the erosion limit {:.2g} K", mach, stress)};
 }
 
