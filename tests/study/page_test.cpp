@@ -41,6 +41,21 @@ TEST(ErrorVsTimePage, TheAnswerIsEachMeshAndTheCheapestSettings) {
   EXPECT_THAT(answer, Not(HasSubstr("half the time step")));
 }
 
+TEST(ErrorVsTimePage, OfALocalRulePromisesNoLimit) {
+  const page::Page page = study_page(result_of(study_test::local_ladder_of(0.2, 1, 0.02)));
+  const std::string answer = answer_of(page);
+  for (const char* there :
+       {"28.08 m on 5 elements per radius, 27.19 m on 28", "each depth belongs to its mesh", "from the finest",
+        "+0.7 %", "Runs on the scene's own mesh for an error", "2 %      10     1"})
+    EXPECT_THAT(answer, HasSubstr(there));
+  EXPECT_THAT(answer, Not(HasSubstr("xtrapolated")));
+  EXPECT_EQ(figure_of(page, "error_against_time"), nullptr);
+  const test::Figure* depths = figure_of(page, "mesh_study");
+  ASSERT_NE(depths, nullptr);
+  EXPECT_EQ(series_of(*depths, "fitted"), nullptr);
+  EXPECT_EQ(series_of(*depths, "extrapolated"), nullptr);
+}
+
 TEST(ErrorVsTimePage, SaysWhatEveryRungRanAndCost) {
   const std::string words = words_of(study_page(error_result()));
   for (const char* there : {"7 | 5488 | 0.4 | single | stopped", "7 | 5488 | 0.8 | double | stopped",
