@@ -68,8 +68,8 @@ Table worth_table(const Json& result) {
 Table advice_table(const Json& result) {
   const bool of_mesh = has_limit(result);
   Table table{.caption = of_mesh ? "The cheapest setting for an error" : "Runs on the scene's own mesh for an error",
-              .rows = {{"error", "mesh", "runs", of_mesh ? "its error (of the mesh, noise)" : "its error, noise alone",
-                        "time", "interval"}},
+              .rows = {{"error", "mesh", "runs", of_mesh ? "its error (mesh, noise)" : "its error, noise alone", "time",
+                        "interval"}},
               .notes = {}};
   for (const Json& one : list(result, "advice")) {
     const std::string target = percent(number(one, "target_error"), 0);
