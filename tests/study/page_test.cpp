@@ -50,6 +50,7 @@ TEST(ErrorVsTimePage, OfALocalRulePromisesNoLimit) {
     EXPECT_THAT(answer, HasSubstr(there));
   EXPECT_THAT(answer, Not(HasSubstr("xtrapolated")));
   EXPECT_EQ(figure_of(page, "error_against_time"), nullptr);
+  EXPECT_THAT(words_of(page), HasSubstr("28 | 27.19 m | 87 mm | - | - |")) << "the finest is not off from itself";
   const test::Figure* depths = figure_of(page, "mesh_study");
   ASSERT_NE(depths, nullptr);
   EXPECT_EQ(series_of(*depths, "fitted"), nullptr);
