@@ -206,7 +206,8 @@ def page(program):
     return f"""# Error against processor time
 
 Written by `docs/verification/make_error_vs_time.py` from `percal study SCENE --error-vs-time` ({program.machine()}, one thread). Six scenes, each with erosion by the element's own strain and over a length of
-{LENGTH} radii. Depths are means of five runs over the mesh phase with their standard errors, columns grow by at most 1.2 on every mesh. What the errors mean: [theory/errors.md](../theory/errors.md).
+{LENGTH} radii. Depths are means of five runs over the mesh phase with their standard errors, columns grow by at most 1.2 on every mesh, walls are where the
+program puts them (5 radii, 12 for F and U). What the errors mean: [theory/errors.md](../theory/errors.md).
 
 By the element's own strain depths have no limit: what is off is the distance from the finest mesh of the ladder, which is no better than the others, and the setting for an error is how many runs the phase needs on
 {DEFAULT_MESH} elements per radius. Over the length it is the error against the depth at h = 0 of that length, and the setting is the cheapest mesh x runs. Intervals are of 95 %.
