@@ -73,13 +73,22 @@ TEST_F(DepthErrorTest, OneRunDoesNotShowThePhase) {
 TEST_F(DepthErrorTest, OfTheLocalRuleBelongsToTheElements) {
   EXPECT_EQ(error().belongs_to, "elements of 1/10 radius");
   EXPECT_FALSE(error().of(DepthErrorSource::mesh_size).half_width);
-  EXPECT_EQ(error().bias, "");
+  EXPECT_FALSE(error().bias);
 }
 
 TEST_F(DepthErrorTest, WithALengthSaysWhatTheElementsLeave) {
+  const double without = *error().half_width();
   read(light_into_gel + "length_in_radii = 0.5\n");
   EXPECT_FALSE(error().of(DepthErrorSource::mesh_size).half_width);
-  EXPECT_THAT(error().bias, HasSubstr("h/l = 0.2, typically c h/l"));
+  EXPECT_EQ(*error().half_width(), without) << "the bias is in no total";
+  ASSERT_TRUE(error().bias);
+  EXPECT_NEAR(*error().bias->half_width, 0.15 * 10e-3, 1e-12) << "pi4 10";
+  EXPECT_THAT(error().bias->how, HasSubstr("elements of 0.2 of the erosion length"));
+  scene.particle.speed = 80;
+  reduction = reduce(scene);
+  EXPECT_NEAR(*error().bias->half_width, 0.05 * 10e-3, 1e-12) << "pi4 6.4";
+  scene.mesh.elements_per_radius = 20;
+  EXPECT_NEAR(*error().bias->half_width, 0.05 / 4 * 10e-3, 1e-12) << "second order";
   const Extrapolation line{.depth = 9e-3,
                            .standard_error = 0.2e-3,
                            .model_error = 0.25e-3,
@@ -89,7 +98,8 @@ TEST_F(DepthErrorTest, WithALengthSaysWhatTheElementsLeave) {
                            .finer_depth = 9.5e-3,
                            .replicates = 5};
   const DepthError found = error({.extrapolation = line});
-  EXPECT_EQ(found.bias, "");
+  EXPECT_FALSE(found.bias);
+  EXPECT_FALSE(error({.discretisation = 0.01}).bias) << "a study's number is in the total";
   EXPECT_EQ(found.belongs_to, "");
   EXPECT_EQ(found.of(DepthErrorSource::mesh_size).half_width, 0.25e-3);
   EXPECT_NEAR(*found.of(DepthErrorSource::mesh_phase).half_width, 2.7764 * 0.2e-3, 1e-8);
@@ -108,12 +118,24 @@ TEST_F(DepthErrorTest, WhatWasMeasuredStandsForTheRuleWithTheRestOfItsSeries) {
   EXPECT_NEAR(*error(evidence).of(DepthErrorSource::wall).half_width, 2.7764e-4, 1e-8) << "no less than its scatter";
 }
 
+TEST_F(DepthErrorTest, AWallIsFeltLessWhereTheTargetIsFirmAtTheErosionLimit) {
+  const double firm = share(DepthErrorSource::wall);  // 27 mu
+  std::get<StrainErosion>(scene.target.erosion).limit = 0.7;
+  reduction = reduce(scene);
+  EXPECT_DOUBLE_EQ(share(DepthErrorSource::wall), 3 * firm) << "17 mu";
+  scene.particle.speed = 200;
+  std::get<StrainErosion>(scene.target.erosion).limit = 0.8;
+  scene.target.width = 5e-3;
+  reduction = reduce(scene);
+  EXPECT_DOUBLE_EQ(share(DepthErrorSource::wall), 3 * firm) << "a fast shot";
+}
+
 TEST_F(DepthErrorTest, AFartherWallAndAFinerStepPromiseLess) {
   const double near = share(DepthErrorSource::wall), coarse = share(DepthErrorSource::time_step);
   scene.target.width = 12e-3;
   scene.solver.time_step_factor = 0.45;
   reduction = reduce(scene);
-  EXPECT_LT(share(DepthErrorSource::wall), near / 2);
+  EXPECT_DOUBLE_EQ(share(DepthErrorSource::wall), near / 2);
   EXPECT_NEAR(share(DepthErrorSource::time_step), coarse / 4, 1e-12) << "second order";
   penetration.worst_closure = 0.03;
   EXPECT_NEAR(share(DepthErrorSource::time_step), 0.03, 1e-12) << "no less than the energy's";
@@ -123,12 +145,7 @@ TEST_F(DepthErrorTest, KIsLessSureWhereItIsSoftForTheStressAtTheErosionLimit) {
   const double stiff = share(DepthErrorSource::bulk);  // 0.25 (1.8^8) mu = 27 mu; K is 110 mu
   std::get<StrainErosion>(scene.target.erosion).limit = 1.2;
   reduction = reduce(scene);
-  EXPECT_GT(share(DepthErrorSource::bulk), 3 * stiff);
-  std::get<StrainErosion>(scene.target.erosion).limit = 0.8;
-  reduction = reduce(scene);
-  EXPECT_EQ(share(DepthErrorSource::bulk), stiff);
-  penetration.depth = 4e-3;
-  EXPECT_GT(share(DepthErrorSource::bulk), 3 * stiff) << "a shallow crater";
+  EXPECT_GT(share(DepthErrorSource::bulk), 2 * stiff);
   reduction.mach = 1.1;
   EXPECT_FALSE(error().of(DepthErrorSource::bulk).half_width);
 }

@@ -135,7 +135,7 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
   const std::string words = words_of(page());
   for (const char* there :
        {"Impact: gold into skin",
-        "Depth 27.5 um ± 4.2 um (95 %: mesh phase 3.8, wall 1.4, step 0.4, K 0.8, mesh size not known)",
+        "Depth 27.5 um ± 4.4 um (95 %: mesh phase 3.8, wall 1.6, step 0.5, K 1.4, mesh size not known)",
         "runs | 2 over the mesh phase: standard error 300 nm, a single run scatters by 424 nm", "mu, true | 63.75 MPa",
         "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program", "22050, 14 per radius",
         "5, radii to the wall, given", "13 of them graded (chosen by the program), each 1.2 times", "radius | 1 um",
@@ -237,7 +237,7 @@ TEST_F(ImpactPage, WithALengthTheElementsShareIsALineOfItsOwn) {
   read(gold_into_skin + "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.5\n");
   const page::Page whole = page();
   const auto& first = std::get<page::Sentence>(section_of(whole, "result")->blocks.front());
-  EXPECT_THAT(first.text, HasSubstr("not extrapolated: first order in h/l = 0.14"));
+  EXPECT_THAT(first.text, HasSubstr("Not in this error: the elements' bias, ± "));
   EXPECT_THAT(words_of(whole), HasSubstr("elements of 0.143 of it"));
 }
 
@@ -252,10 +252,17 @@ TEST_F(ImpactPage, AnExtrapolatedDepthIsTheOneThatIsShown) {
                                                .finer_depth = 26.25e-6,
                                                .replicates = 2};
   const page::Page whole = page();
-  EXPECT_THAT(whole.summary, AllOf(HasSubstr("Depth 25.0 um ± 2.9 um"), HasSubstr("mesh size 0.6"),
+  EXPECT_THAT(whole.summary, AllOf(HasSubstr("Depth 25.0 um ± 3.0 um"), HasSubstr("mesh size 0.6"),
                                    HasSubstr("extrapolated from 14 and 28 elements per radius")));
-  EXPECT_THAT(words_of(whole), AllOf(HasSubstr("Depth at h = 0: 25 um from 27.5 um with 14 and 26.25 um with 28"),
-                                     Not(HasSubstr("not extrapolated"))));
+  EXPECT_THAT(words_of(whole), AllOf(HasSubstr("27.5 um with 14, 26.25 um with 28 elements per radius, 2 runs on each"),
+                                     Not(HasSubstr("bias"))));
+}
+
+TEST_F(ImpactPage, AdvisesToMeasureOnlyWhatGoesByRule) {
+  EXPECT_THAT(words_of(*section_of(page(), "result")), HasSubstr("--measure-errors"));
+  for (const DepthErrorSource source : {DepthErrorSource::wall, DepthErrorSource::time_step, DepthErrorSource::bulk})
+    found.evidence.effects.push_back({source, 0.1e-6, 0.1e-6, 2});
+  EXPECT_THAT(words_of(*section_of(page(), "result")), Not(HasSubstr("--measure-errors")));
 }
 
 TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {

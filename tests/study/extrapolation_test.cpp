@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "percal/base/error.hpp"
 #include "percal/scene/scene_toml.hpp"
 
@@ -18,14 +20,15 @@ Penetration mean_of_five(double depth, double standard_error) {
   return mean;
 }
 
-TEST(Extrapolation, IsALineInTheElementSize) {
-  // d = 20 + 5 h: 20.5 with 10, 20.25 with 20.
-  const Extrapolation line = extrapolate(mean_of_five(20.5, 0.3), mean_of_five(20.25, 0.2), 10);
-  EXPECT_NEAR(line.depth, 20, 1e-12);
-  EXPECT_NEAR(line.standard_error, 0.5, 1e-12) << "sqrt(4 0.2^2 + 0.3^2)";
-  EXPECT_NEAR(line.model_error, 0.125, 1e-12) << "half of the step from 20.25 to 20";
-  EXPECT_EQ(line.finer_elements_per_radius, 20);
-  EXPECT_EQ(line.replicates, 5);
+TEST(Extrapolation, IsAParabolaInTheElementSizeThatALineMayOverrule) {
+  // d = 20 + 400 h^2: 24 with 10, 21 with 20. A line would go to 18.
+  const Extrapolation found = extrapolate(mean_of_five(24, 0.3), mean_of_five(21, 0.2), 10);
+  EXPECT_NEAR(found.depth, 20, 1e-12);
+  EXPECT_NEAR(found.standard_error, std::sqrt(16 * 0.04 + 0.09) / 3, 1e-12);
+  EXPECT_NEAR(found.model_error, 2, 1e-12) << "from 20 to 18";
+  EXPECT_EQ(found.finer_elements_per_radius, 20);
+  EXPECT_EQ(found.replicates, 5);
+  EXPECT_NEAR(extrapolate(mean_of_five(20, 0.3), mean_of_five(20, 0.2), 10).model_error, 0.2, 1e-12) << "1 %";
 }
 
 TEST(Extrapolation, NeedsALengthAndAPhase) {

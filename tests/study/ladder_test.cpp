@@ -60,7 +60,7 @@ TEST_F(LadderTest, DepthsConvergeWithoutErosionOrOverALength) {
   Scene scene = gold();
   EXPECT_EQ(refinement(scene), Refinement::no_limit);
   scene.target.erosion_average = AverageWithin{0.5 * scene.particle.radius};
-  EXPECT_EQ(refinement(scene), Refinement::first_order);
+  EXPECT_EQ(refinement(scene), Refinement::second_order);
   scene.target.erosion_average = NoAverage{};
   scene.target.erosion = NoErosion{};
   EXPECT_EQ(refinement(scene), Refinement::any_order);

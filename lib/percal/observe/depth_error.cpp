@@ -36,13 +36,13 @@ ErrorPart measured_part(const MeasuredEffect& effect, double depth) {
 }
 
 ErrorPart rule_part(DepthErrorSource source, const RuledShare& rule, double depth) {
-  return {source, rule.share ? std::optional(*rule.share * depth) : std::nullopt, rule.how};
+  return {source, rule.share ? std::optional(*rule.share * depth) : std::nullopt, rule.how, rule.share.has_value()};
 }
 
 ErrorPart phase_part(const Penetration& penetration, const ErrorEvidence& evidence) {
   if (const auto& line = evidence.extrapolation)
     return {DepthErrorSource::mesh_phase, phase_half_width(line->standard_error, line->replicates),
-            fmt::format("standard error of 2 d({:.4g}) - d({:.4g}), {} runs on each mesh, times Student's t",
+            fmt::format("standard error of (4 d({:.4g}) - d({:.4g}))/3, {} runs on each mesh, times Student's t",
                         line->finer_elements_per_radius, line->elements_per_radius, line->replicates)};
   const int runs = static_cast<int>(penetration.depths.size());
   if (runs < 2)
@@ -55,14 +55,15 @@ ErrorPart phase_part(const Penetration& penetration, const ErrorEvidence& eviden
 ErrorPart size_part(const Scene& scene, double depth, const ErrorEvidence& evidence) {
   const double per_radius = scene.mesh.elements_per_radius;
   if (const auto& line = evidence.extrapolation)
-    return {DepthErrorSource::mesh_size, line->model_error,
-            fmt::format("half of the step from {:.4g} elements per radius to h = 0", line->finer_elements_per_radius)};
+    return {DepthErrorSource::mesh_size, line->model_error, "how much farther a line in h would go, and 1 % at least"};
   if (evidence.discretisation)
     return {DepthErrorSource::mesh_size,
             normal_quantile(0.5 + depth_error_level / 2) * *evidence.discretisation * depth,
             "the scene's study of error against time, by the fitted curve to h = 0"};
   if (const auto share = element_over_erosion_length(scene))
-    return {DepthErrorSource::mesh_size, std::nullopt, bias_words(*share)};
+    return {
+        DepthErrorSource::mesh_size, std::nullopt,
+        fmt::format("belongs to elements of {:.2g} of the erosion length; their bias has a line of its own", *share)};
   if (std::holds_alternative<NoErosion>(scene.target.erosion))
     return {DepthErrorSource::mesh_size, std::nullopt, "not measured: percal study --error-vs-time does"};
   return {DepthErrorSource::mesh_size, std::nullopt,
@@ -107,11 +108,11 @@ DepthError depth_error(const Scene& scene, const Reduction& reduction, const Pen
                        const ErrorEvidence& evidence) {
   const double depth = evidence.extrapolation ? evidence.extrapolation->depth : *penetration.depth;
   DepthError error{
-      .parts = {phase_part(penetration, evidence), size_part(scene, depth, evidence)}, .belongs_to = "", .bias = ""};
-  if (!evidence.extrapolation) {
-    if (const auto share = element_over_erosion_length(scene)) error.bias = bias_words(*share);
-    const bool erodes = !std::holds_alternative<NoErosion>(scene.target.erosion);
-    if (erodes && !error.parts[1].half_width)
+      .parts = {phase_part(penetration, evidence), size_part(scene, depth, evidence)}, .belongs_to = "", .bias = {}};
+  if (!error.of(DepthErrorSource::mesh_size).half_width) {
+    if (const auto share = element_over_erosion_length(scene))
+      error.bias = rule_part(DepthErrorSource::mesh_size, bias_share(reduction.problem, *share), depth);
+    if (!std::holds_alternative<NoErosion>(scene.target.erosion))
       error.belongs_to = fmt::format("elements of 1/{:.4g} radius", scene.mesh.elements_per_radius);
   }
   const auto measured = [&](DepthErrorSource source) {
@@ -124,7 +125,7 @@ DepthError depth_error(const Scene& scene, const Reduction& reduction, const Pen
   };
   add(DepthErrorSource::wall, wall_share(scene, reduction.problem));
   add(DepthErrorSource::time_step, time_step_share(reduction.problem, penetration.worst_closure));
-  add(DepthErrorSource::bulk, bulk_share(reduction, depth));
+  add(DepthErrorSource::bulk, bulk_share(reduction));
   return error;
 }
 

@@ -20,14 +20,16 @@ struct ErrorPart {
   DepthErrorSource source;
   std::optional<double> half_width;  // m; nothing: not known as a number
   std::string how;                   // where the number comes from, or why there is none
+  bool by_rule = false;              // a bound from other scenes' runs: this scene's own may replace it
 };
 
 struct DepthError {
   std::vector<ErrorPart> parts;  // one a source
   std::string belongs_to;        // "elements of 1/10 radius"; empty where the depth is that of h = 0
-  std::string bias;  // a sentence on what h/l leaves in the depth; empty without an erosion length, or at h = 0
+  // What h/l leaves in the depth, by rule; nothing without an erosion length, or at h = 0.
+  std::optional<ErrorPart> bias;
 
-  // m: the root of the sum of squares of what is known; nothing where nothing is.
+  // m: the root of the sum of squares of the known parts, without the bias; nothing where none is known.
   std::optional<double> half_width() const;
   const ErrorPart& of(DepthErrorSource source) const;
 };
@@ -43,11 +45,11 @@ struct MeasuredEffect {
 // The better settings that are measured: half the time step, the wall 1.5 times as far, twice K.
 inline constexpr double finer_step = 0.5, farther_wall = 1.5, stiffer_bulk = 2;
 
-// A depth at h = 0 from two phase means, by a line in h.
+// A depth at h = 0 from two phase means, by a parabola in h. docs/theory/errors.md (14)
 struct Extrapolation {
   double depth = 0;           // m
   double standard_error = 0;  // m, of the phases
-  double model_error = 0;     // m, half of the step from the finer mesh to h = 0
+  double model_error = 0;     // m, how much farther a line would go, or a share of the depth
   double elements_per_radius = 0, finer_elements_per_radius = 0;
   double mesh_depth = 0, finer_depth = 0;  // m, the phase means
   int replicates = 0;                      // on each
@@ -56,9 +58,9 @@ struct Extrapolation {
 struct ErrorEvidence {
   std::vector<MeasuredEffect> effects = {};  // sources without one go by rule
   std::optional<Extrapolation> extrapolation = {};
-  std::optional<double> discretisation =
-      {};  // share of the depth, a standard error, where a study of the scene says so
-  std::vector<std::string> notes = {};           // what was asked for and could not be measured, and why
+  // Share of the depth, a standard error, where a study of the scene says so.
+  std::optional<double> discretisation = {};
+  std::vector<std::string> notes = {};  // what was asked for and could not be measured, and why
 };
 
 // Of replicates that all stopped: penetration.depth is there.

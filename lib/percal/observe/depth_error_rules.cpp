@@ -41,30 +41,33 @@ double limit_stress_over_bulk(const Problem& problem) {
 struct WallRow {
   double from, share;
 };
-using WallRule = std::array<WallRow, 4>;
 
-// docs/theory/errors.md (13): what 95 of 100 random scenes kept. Soft: the stress at the erosion limit is below 10 mu.
-constexpr WallRule soft_and_slow{{{0, 0.1}, {5, 0.05}, {8, 0.01}, {12, 0.007}}},
-    slow{{{0, 0.06}, {5, 0.03}, {8, 0.01}, {12, 0.007}}}, fast{{{0, 0.15}, {5, 0.06}, {8, 0.02}, {12, 0.01}}};
-constexpr double soft_below = 10, slow_width = 5, rounding = 1e-9;
+// docs/theory/errors.md (13): what 95 of 100 random scenes kept.
+constexpr std::array<WallRow, 4> wall_rows{{{0, 0.12}, {5, 0.06}, {8, 0.02}, {12, 0.01}}};
+// Slow shots: from this stress at the erosion limit on, over mu.
+constexpr double slow_width = 5, firm_from = 20, share_of_firm = 0.02;
+constexpr double rounding = 1e-9;
 
-constexpr double step_share = 0.015, usual_step = 0.9;
-// Six radii deep or more, the share grows with the stress at the erosion limit over K.
-constexpr double least_of_bulk = 0.03, most_of_bulk = 0.14, share_of_stress = 0.12, deep_from = 6;
+constexpr double step_share = 0.02, usual_step = 0.9;
+// By the stress at the erosion limit over K.
+constexpr double stressed_from = 0.3, share_of_bulk = 0.05, share_of_bulk_stressed = 0.16;
 constexpr double share_of_squared_mach = 0.17;
+
+// By pi4; of second order in h/l where it is smaller than those measured.
+constexpr double biased_from = 8, share_of_bias = 0.05, share_of_bias_of_fast = 0.15, least_measured = 1.0 / 5;
 
 }  // namespace
 
 RuledShare wall_share(const Scene& scene, const Problem& problem) {
-  const double width = problem.width * scene.particle.radius / reach_of(scene);
-  const double stress = limit_stress_over_bulk(problem) * problem.bulk_ratio;
+  const double width = problem.width * scene.particle.radius / reach_of(scene) * (1 + rounding);
+  const auto row =
+      std::ranges::find_if(wall_rows.rbegin(), wall_rows.rend(), [&](const WallRow& one) { return width >= one.from; });
   const bool is_slow = usual_width_in_reaches(scene) <= slow_width;
-  const WallRule& rule = !is_slow ? fast : stress < soft_below ? soft_and_slow : slow;
-  const auto row = std::ranges::find_if(rule.rbegin(), rule.rend(),
-                                        [&](const WallRow& one) { return width >= one.from * (1 - rounding); });
-  return {row->share,
+  const bool is_firm =
+      is_slow && width >= slow_width && limit_stress_over_bulk(problem) * problem.bulk_ratio >= firm_from;
+  return {is_firm ? std::min(row->share, share_of_firm) : row->share,
           fmt::format("rule of random scenes: {:.4g} radii to the wall, a {} shot{}", width, is_slow ? "slow" : "fast",
-                      is_slow && stress < soft_below ? ", little stress at the erosion limit" : "")};
+                      is_firm ? fmt::format(", {:g} mu or more at the erosion limit", firm_from) : "")};
 }
 
 RuledShare time_step_share(const Problem& problem, double worst_closure) {
@@ -74,23 +77,18 @@ RuledShare time_step_share(const Problem& problem, double worst_closure) {
                       problem.time_step_factor, worst_closure)};
 }
 
-RuledShare bulk_share(const Reduction& reduction, double depth) {
+RuledShare bulk_share(const Reduction& reduction) {
   const double stress = limit_stress_over_bulk(reduction.problem), mach = reduction.mach;
   if (mach >= 1) return {std::nullopt, fmt::format("not known at Mach {:.2g}: the depth depends on K", mach)};
   const double beyond = std::max(0.0, mach * mach - recommended_mach * recommended_mach);
-  const double radii = depth / reduction.scales.radius;
-  const double share =
-      radii >= deep_from ? std::clamp(share_of_stress * stress, least_of_bulk, most_of_bulk) : most_of_bulk;
-  return {share + share_of_squared_mach * beyond,
-          fmt::format("rule of random scenes: Mach {:.2g}, stress at the erosion limit {:.2g} K, {:.2g} radii deep",
-                      mach, stress, radii)};
+  return {(stress < stressed_from ? share_of_bulk : share_of_bulk_stressed) + share_of_squared_mach * beyond,
+          fmt::format("rule of random scenes: Mach {:.2g}, stress at the erosion limit {:.2g} K", mach, stress)};
 }
 
-std::string bias_words(double element_over_length) {
-  return fmt::format(
-      "not extrapolated: first order in h/l = {:.2g}, typically c h/l with c 0.1 to 0.5 (docs/theory/errors.md); "
-      "--extrapolate runs a finer mesh",
-      element_over_length);
+RuledShare bias_share(const Problem& problem, double element_over_length) {
+  const double share = problem.pi4 < biased_from ? share_of_bias : share_of_bias_of_fast;
+  return {share * std::pow(std::min(1.0, element_over_length / least_measured), 2),
+          fmt::format("elements of {:.2g} of the erosion length, pi4 {:.3g}", element_over_length, problem.pi4)};
 }
 
 }  // namespace percal

@@ -17,9 +17,9 @@ struct RuledShare {
 
 RuledShare wall_share(const Scene& scene, const Problem& problem);
 RuledShare time_step_share(const Problem& problem, double worst_closure);
-RuledShare bulk_share(const Reduction& reduction, double depth);  // m
+RuledShare bulk_share(const Reduction& reduction);
 
 // What elements of so large a share of the erosion length leave in a depth that is not extrapolated.
-std::string bias_words(double element_over_length);
+RuledShare bias_share(const Problem& problem, double element_over_length);
 
 }  // namespace percal

@@ -26,7 +26,7 @@ std::optional<double> element_over_erosion_length(const Scene& scene) {
 
 Refinement refinement(const Scene& scene) {
   if (std::holds_alternative<NoErosion>(scene.target.erosion)) return Refinement::any_order;
-  return erosion_length(scene.target) ? Refinement::first_order : Refinement::no_limit;
+  return erosion_length(scene.target) ? Refinement::second_order : Refinement::no_limit;
 }
 
 double coarsest_mesh(const Scene& scene) {

@@ -17,9 +17,9 @@ std::optional<double> element_over_erosion_length(const Scene& scene);
 
 // How a depth goes as elements shrink. Without a limit it belongs to its mesh.
 enum class Refinement {
-  no_limit,     // each element goes by its own value               docs/decisions/0012-mesh-and-phase.md
-  first_order,  // erosion is judged over a length                  docs/theory/impact.md, Erosion judged over a length
-  any_order     // nothing erodes
+  no_limit,      // each element goes by its own value               docs/decisions/0012-mesh-and-phase.md
+  second_order,  // erosion is judged over a length                  docs/theory/impact.md, Erosion judged over a length
+  any_order      // nothing erodes
 };
 Refinement refinement(const Scene& scene);
 

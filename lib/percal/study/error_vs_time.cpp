@@ -55,9 +55,9 @@ std::vector<GridPoint> points_of(std::span<const Rung> rungs, const RunNoise& no
   return points;
 }
 
-// With a length the order is known, and a free one would follow the noise.
+// With a length the order is that of two meshes, docs/theory/errors.md (14): a free one would follow the noise.
 std::optional<ErrorForm> form_of(Refinement refinement) {
-  return refinement == Refinement::first_order ? std::optional(ErrorForm::first_order) : std::nullopt;
+  return refinement == Refinement::second_order ? std::optional(ErrorForm::second_order) : std::nullopt;
 }
 
 // docs/theory/errors.md (7) and (8).

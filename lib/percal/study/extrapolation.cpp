@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "percal/base/error.hpp"
@@ -12,7 +13,10 @@
 namespace percal {
 namespace {
 
-constexpr double model_share = 0.5;  // of the step to h = 0: what the line may be wrong by
+// docs/theory/errors.md (14): what is left of the step between the meshes beyond the finer one, by the measured order and by the
+// first, which it may be; and what two meshes may agree in by chance.
+constexpr double step_left = 1 / (finer_mesh * finer_mesh - 1), step_left_by_line = 1 / (finer_mesh - 1);
+constexpr double least_share = 0.01;
 
 Scene on_finer_mesh(const Scene& scene) {
   Scene finer = on_mesh(scene, finer_mesh * scene.mesh.elements_per_radius);
@@ -35,9 +39,10 @@ void need_a_limit(const Scene& scene) {
 
 Extrapolation extrapolate(const Penetration& coarse, const Penetration& fine, double elements_per_radius) {
   const double step = *fine.depth - *coarse.depth;
-  return {.depth = *fine.depth + step / (finer_mesh - 1),
-          .standard_error = std::hypot(finer_mesh * *fine.standard_error, *coarse.standard_error) / (finer_mesh - 1),
-          .model_error = model_share * std::abs(step) / (finer_mesh - 1),
+  const double depth = *fine.depth + step_left * step;
+  return {.depth = depth,
+          .standard_error = std::hypot((1 + step_left) * *fine.standard_error, step_left * *coarse.standard_error),
+          .model_error = std::max((step_left_by_line - step_left) * std::abs(step), least_share * depth),
           .elements_per_radius = elements_per_radius,
           .finer_elements_per_radius = finer_mesh * elements_per_radius,
           .mesh_depth = *coarse.depth,

@@ -20,8 +20,16 @@ Json word_or_null(const std::string& text) { return text.empty() ? Json(nullptr)
 Json sources_to_json(const DepthError& error) {
   Json sources = Json::array();
   for (const ErrorPart& part : error.parts)
-    sources.push_back({{"source", word(part.source)}, {"half_width_m", finite(part.half_width)}, {"how", part.how}});
+    sources.push_back({{"source", word(part.source)},
+                       {"half_width_m", finite(part.half_width)},
+                       {"by_rule", part.by_rule},
+                       {"how", part.how}});
   return sources;
+}
+
+Json bias_to_json(const std::optional<ErrorPart>& bias) {
+  if (!bias) return nullptr;
+  return {{"half_width_m", finite(bias->half_width)}, {"how", bias->how}};
 }
 
 }  // namespace
@@ -30,7 +38,7 @@ Json depth_error_to_json(const DepthError& error) {
   return {{"level", depth_error_level},
           {"half_width_m", finite(error.half_width())},
           {"belongs_to", word_or_null(error.belongs_to)},
-          {"bias", word_or_null(error.bias)},
+          {"bias", bias_to_json(error.bias)},
           {"sources", sources_to_json(error)}};
 }
 
@@ -47,12 +55,10 @@ Json extrapolation_to_json(const std::optional<Extrapolation>& line) {
 namespace page {
 namespace {
 
-// Decimals that show a digit of a number, two where the first is a 1; one at least.
+// Decimals that show two digits of a number: its smaller parts are to be seen beside it.
 int decimals_of(double number) {
   if (!(number > 0)) return 1;
-  const double decade = std::floor(std::log10(number));
-  const bool starts_with_one = number < 1.95 * std::pow(10, decade);
-  return std::max(1, static_cast<int>(-decade) + (starts_with_one ? 1 : 0));
+  return std::max(0, 1 - static_cast<int>(std::floor(std::log10(number))));
 }
 
 std::string short_name(const std::string& source) {
@@ -97,7 +103,28 @@ std::string depth_words(const Json& result) {
   return words + ")";
 }
 
-std::string depth_bias(const Json& result) { return text(at(result, "depth_error"), "bias"); }
+std::string bias_words(const Json& result) {
+  const Json& bias = at(at(result, "depth_error"), "bias");
+  const auto half_width = number(bias.is_null() ? bias : at(bias, "half_width_m"));
+  if (!half_width) return "";
+  const ShownUnit unit = length_unit(number_or(result, "depth_m", *half_width));
+  return fmt::format(
+      "Not in this error: the elements' bias, ± {:.2g} {} (95 %) by rule: {}. `--extrapolate` removes it.",
+      *half_width / unit.size, unit.name, text(bias, "how"));
+}
+
+std::string mesh_depths(const Json& result) {
+  const Json& line = at(result, "extrapolation");
+  if (line.is_null()) return "";
+  const auto meshes = numbers(at(line, "elements_per_radius")), depths = numbers(at(line, "mesh_depths_m"));
+  return fmt::format("{} with {:.4g}, {} with {:.4g} elements per radius, {} runs on each", length(depths[0]),
+                     meshes[0], length(depths[1]), meshes[1], shown(number(line, "replicates")));
+}
+
+bool rules_are_in(const Json& result) {
+  return std::ranges::any_of(list(at(result, "depth_error"), "sources"),
+                             [](const Json& one) { return yes(one, "by_rule"); });
+}
 
 Section depth_error_section(const Json& result) {
   Section section{.id = "errors", .title = "The error of the depth, by source", .blocks = {}};
@@ -109,13 +136,6 @@ Section depth_error_section(const Json& result) {
   table.rows.push_back({"together", length(number(error, "half_width_m"), 3),
                         "root of the sum of squares of what has a number; what has none is not in it"});
   add(section, table);
-  if (const Json& line = at(result, "extrapolation"); !line.is_null()) {
-    const auto meshes = numbers(at(line, "elements_per_radius")), depths = numbers(at(line, "mesh_depths_m"));
-    add_sentence(
-        section,
-        fmt::format("Depth at h = 0: {} from {} with {:.4g} and {} with {:.4g} elements per radius, by a line.",
-                    length(number(line, "depth_m")), length(depths[0]), meshes[0], length(depths[1]), meshes[1]));
-  }
   return section;
 }
 

@@ -19,7 +19,13 @@ namespace page {
 std::string depth_words(const Json& result);
 
 // What elements leave in a depth that is judged over a length and not extrapolated; empty where there is no such depth.
-std::string depth_bias(const Json& result);
+std::string bias_words(const Json& result);
+
+// The phase means that an extrapolated depth comes from; empty without one.
+std::string mesh_depths(const Json& result);
+
+// Some source goes by a rule that `--measure-errors` would replace.
+bool rules_are_in(const Json& result);
 
 // A row a source with its half width and where it comes from.
 Section depth_error_section(const Json& result);

@@ -1,7 +1,7 @@
 // The page of `percal impact`.
 #include "percal/observe/page/page.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -128,10 +128,16 @@ Figure scatter_figure(const Json& result) {
 std::string error_words(const Json& result) {
   const Json& accuracy = at(result, "accuracy");
   if (list(result, "runs").empty()) return "";
-  if (accuracy.is_null())
-    return "`--measure-errors` measures what wall, time step and K cost this depth; `percal study SCENE "
-           "--error-vs-time` "
-           "measures the element size, `--accuracy 2%` chooses mesh and replicates by it.";
+  if (accuracy.is_null()) {
+    std::vector<std::string> advice;
+    if (rules_are_in(result))
+      advice.push_back("`--measure-errors` measures what wall, time step and K cost this depth.");
+    if (at(result, "extrapolation").is_null())
+      advice.push_back(
+          "`percal study SCENE --error-vs-time` measures the element size, `--accuracy 2%` chooses mesh and replicates "
+          "by it.");
+    return fmt::format("{}", fmt::join(advice, " "));
+  }
   if (!number(accuracy, "discretisation_error"))
     return fmt::format(
         "Estimated error of the depth {}: mesh phase and noise alone, from the scene's study. The depth belongs to its "
@@ -180,6 +186,7 @@ Section result_section(const Json& result) {
                  fmt::format("{} of them graded ({}), each {} times the last", shown(number(mesh, "graded_columns")),
                              yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given",
                              shown(number(mesh, "growth"), 3))));
+  row("extrapolated from", mesh_depths(result));
   row("erosion judged over",
       with_words(length(number(result, "erosion_length_m")),
                  "elements of " + shown(number(result, "element_over_erosion_length"), 3) + " of it"));
@@ -187,7 +194,7 @@ Section result_section(const Json& result) {
     row("fields of the middle run",
         text(fields, "list") + ", " + counted(static_cast<long>(number_or(fields, "frames", 0)), "frame"));
   row("picture of the middle run", text(result, "picture"));
-  add_sentence(section, depth_bias(result));
+  add_sentence(section, bias_words(result));
   add(section, table);
   add_sentence(section, error_words(result));
   return section;
