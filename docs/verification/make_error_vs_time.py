@@ -185,17 +185,17 @@ mesh phase, if a run's {percent(ten)} on {DEFAULT_MESH} goes on falling as the e
 
 def panel(one, results):
     blocks, plots = "", []
-    for rule, (result, name) in enumerate(zip(results, ("own strain, from the finest mesh", f"over {LENGTH} radii, from h = 0"))):
+    for rule, (result, name) in enumerate(zip(results, ("own strain, from the finest", "length, from h = 0"))):
         points = [(r["cpu_s"] * r["replicates"], *(100 * band[key] for key in ("value", "low", "high"))) for r in result["meshes"] if (band := off(result, r)) and None not in band.values()]
         if not points:
             continue
         blocks += data_block(f"{one.name}{rule}", points)
-        plots.append(f"${one.name}{rule} using 1:2:3:4 with yerrorlines linecolor {rule + 1} pointtype {7 - 2 * rule} pointsize 0.6 title '{name if one is CASES[0] else ''}'")
+        plots.append(f"${one.name}{rule} using 1:2:3:4 with yerrorlines linecolor {rule + 1} pointtype {7 - 2 * rule} pointsize 0.6 title '{name if one.name == 'P' else ''}'")
     return f"{blocks}set title '{one.name}'\nplot 0 linecolor 'gray' notitle, {', '.join(plots)}\n"
 
 
 def figure(cases, file):
-    draw(file, "set multiplot layout 2,3\nset logscale x\nset format x '10^{%T}'\nset yrange [-18:18]\nset key top right Left reverse font ',9'\nset xlabel 'CPU s of five runs'\nset ylabel 'off, %'\n"
+    draw(file, "set multiplot layout 2,3\nset logscale x\nset format x '10^{%T}'\nset yrange [-18:18]\nset key bottom right samplen 2 font ',9'\nset xlabel 'CPU s of five runs'\nset ylabel 'off, %'\n"
          + "".join(panel(*pair) for pair in cases) + "unset multiplot\n", "1080,640", 12)
 
 
