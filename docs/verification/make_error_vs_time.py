@@ -126,7 +126,7 @@ def rungs(one, result):
 def change(what, c):
     if c["share"] is None:
         return f"{what} on {c['elements_per_radius']:g}: not both stopped"
-    return f"{what} on {c['elements_per_radius']:g}: {100 * c['share']:+.1f} ± {100 * c['standard_error']:.1f} %"
+    return f"{what} on {c['elements_per_radius']:g}: {signed(c['share'])} ± {100 * c['standard_error']:.1f} %"
 
 
 def changes(result):
