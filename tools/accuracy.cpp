@@ -14,22 +14,15 @@ namespace percal::tools {
 namespace {
 
 constexpr double finest_accuracy = 0.001, coarsest_accuracy = 0.5;
-constexpr double farthest_extrapolation = 1.5;  // of the ladder's finest mesh
 
-// Why the advice is not followed; empty: it is.
-std::string why_not(const AdvisedSetting& advice, const LadderOptions& ladder) {
-  if (!advice.is_found) return fmt::format("An error of {:.3g} %: {}", 100 * advice.target, advice.why_not);
-  if (advice.elements_per_radius <= farthest_extrapolation * ladder.meshes.back()) return "";
-  return fmt::format(
-      "An error of {:.3g} %: no mesh of the ladder (up to {} elements per radius) reaches it; by extrapolation {} "
-      "elements per radius and {} replicates would, in about {:.3g} s of processor time: run these by "
-      "--elements-per-radius and --replicates, or a finer ladder by percal study --meshes",
-      100 * advice.target, ladder.meshes.back(), advice.elements_per_radius, advice.replicates, advice.cpu_seconds);
+// Why there is nothing to run; empty: there is.
+std::string why_not(const AdvisedSetting& advice) {
+  return advice.is_found ? "" : fmt::format("An error of {:.3g} %: {}", 100 * advice.target, advice.why_not);
 }
 
 AdvisedAccuracy accuracy_of(const AdvisedSetting& advice, const LadderOptions& ladder) {
   AdvisedAccuracy accuracy{.target_error = advice.target,
-                           .why_not = why_not(advice, ladder),
+                           .why_not = why_not(advice),
                            .is_extrapolated = advice.cost_is_estimated,
                            .cpu_seconds_low = advice.cpu_seconds_low,
                            .cpu_seconds_high = advice.cpu_seconds_high,

@@ -94,7 +94,7 @@ Exit error_vs_time_study(const StudyArguments& arguments, const Common& common) 
   for (const double target : advised_errors) advice.push_back(advise(ladder, found, target));
   const Json result = error_vs_time_to_json(scene, ladder, found, advice, study.cost());
   finish(result, "error_vs_time.csv", error_vs_time_csv(result), study, arguments, common);
-  return found.is_fitted() ? Exit::done : Exit::outcome_not_reached;
+  return found.is_answered() ? Exit::done : Exit::outcome_not_reached;
 }
 
 Exit omissions_study(const StudyArguments& arguments, const Common& common) {

@@ -34,6 +34,14 @@ TEST(GridConvergence, FindsTheLimitAndTheOrderOfACleanSeries) {
   }
 }
 
+TEST(GridConvergence, AGivenFormIsKeptWhateverTheSeriesSays) {
+  const auto found = grid_convergence(series(27, 3, 2), ErrorForm::first_order);
+  EXPECT_EQ(found.fit.form, ErrorForm::first_order);
+  EXPECT_EQ(found.observed_order, 1);
+  EXPECT_TRUE(found.order_is_reasonable);
+  EXPECT_NEAR(grid_convergence(series(27, 3, 1), ErrorForm::first_order).fit.limit, 27, 1e-9);
+}
+
 TEST(GridConvergence, AnOrderThatIsTooHighIsReplacedByOneOrTwo) {
   const auto found = grid_convergence(series(27, 300, 4));
   EXPECT_GT(found.observed_order, 3.9);

@@ -86,6 +86,14 @@ const AdvisedAccuracy two_percent{.target_error = 0.02,
                                   .studied_meshes = {5, 7, 10, 14},
                                   .study_was_kept = true};
 
+const AdvisedAccuracy phase_alone{.target_error = 0.02,
+                                  .elements_per_radius = 14,
+                                  .replicates = 3,
+                                  .noise_error = 0.0075,
+                                  .error = 0.0075,
+                                  .cpu_seconds = 2,
+                                  .studied_meshes = {5, 7, 10, 14}};
+
 std::vector<std::string> keys_of(const Json& object) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
@@ -134,6 +142,13 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
         "eroded elements | 74.50 %", "sum | 99.50 %", "rotation: ", "Mach number | 0.299", "x86_64_v3",
         "1.001 | stopped | 27.8 um"})
     EXPECT_THAT(words, HasSubstr(there));
+}
+
+TEST_F(ImpactPage, AStudyWithoutALimitGivesTheNoiseAlone) {
+  found.accuracy = phase_alone;
+  const std::string words = words_of(page());
+  EXPECT_THAT(words, AllOf(HasSubstr("mesh phase and noise alone"), HasSubstr("belongs to its elements")));
+  EXPECT_THAT(words, Not(HasSubstr("element size |")));
 }
 
 TEST_F(ImpactPage, TheAnswerIsTheDepthItsErrorTheModuliAndWhatToKnow) {

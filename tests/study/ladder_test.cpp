@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "percal/base/error.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/kept_ladder.hpp"
 #include "support/temporary_folder.hpp"
@@ -27,6 +28,8 @@ TEST_F(LadderTest, RunsEveryMeshTwoHalfStepsAndOneInDouble) {
   Campaign campaign(&store, 1);
   const Ladder ladder = run_ladder(scene, tiny, campaign, nullptr);
   EXPECT_EQ(ladder.options.meshes, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(ladder.refinement, Refinement::no_limit);
+  EXPECT_EQ(ladder.scene_mesh, 14);
   ASSERT_EQ(ladder.meshes.size(), 4u);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(ladder.meshes[i].elements_per_radius, i + 1);
@@ -51,6 +54,16 @@ TEST_F(LadderTest, RefusesFewerThanFourMeshesAndThreeReplicates) {
   EXPECT_THROW(checked(ladder({0, 5, 7, 10}, 5), gold()), BadInput);
   EXPECT_THROW(checked(ladder({5, 7, 10, 14}, 2), gold()), BadInput);
   EXPECT_EQ(checked({}, gold()).time_step_factor, gold().solver.time_step_factor);
+}
+
+TEST_F(LadderTest, DepthsConvergeWithoutErosionOrOverALength) {
+  Scene scene = gold();
+  EXPECT_EQ(refinement(scene), Refinement::no_limit);
+  scene.target.erosion_average = AverageWithin{0.5 * scene.particle.radius};
+  EXPECT_EQ(refinement(scene), Refinement::second_order);
+  scene.target.erosion_average = NoAverage{};
+  scene.target.erosion = NoErosion{};
+  EXPECT_EQ(refinement(scene), Refinement::any_order);
 }
 
 TEST_F(LadderTest, BeginsWithThreeElementsInAnErosionLength) {

@@ -38,6 +38,24 @@ inline Ladder ladder_of(double a, double p, double noise) {
   return ladder;
 }
 
+// The same with a spread that is `noise` on 10 elements per radius and goes as their size.
+inline Ladder eroding_ladder_of(double a, double p, double noise) {
+  Ladder ladder = ladder_of(a, p, noise);
+  for (Rung& rung : ladder.meshes) {
+    *rung.penetration.spread *= 10 / rung.elements_per_radius;
+    *rung.penetration.standard_error *= 10 / rung.elements_per_radius;
+  }
+  return ladder;
+}
+
+// Of a scene on 10 elements per radius whose erosion is local.
+inline Ladder local_ladder_of(double a, double p, double noise) {
+  Ladder ladder = eroding_ladder_of(a, p, noise);
+  ladder.refinement = Refinement::no_limit;
+  ladder.scene_mesh = 10;
+  return ladder;
+}
+
 inline void pass_through(Rung& rung) {
   auto& p = rung.penetration;
   p.outcome = Outcome::passed_through;

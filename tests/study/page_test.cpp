@@ -36,9 +36,25 @@ TEST(ErrorVsTimePage, TheAnswerIsEachMeshAndTheCheapestSettings) {
   const std::string answer = answer_of(study_page(error_result()));
   for (const char* there :
        {"gold into skin (gold.toml)", "5, 7, 10, 14, 20, 28 elements per radius, 5 runs on each",
-        "14    27.39 m  +1.4 %", "2.74 s", "2 %      14     3            1.8 % (1.4 %, 1.2 %)", "percal impact SCENE"})
+        "14    27.39 m  +1.4 %", "2.74 s", "2 %      14     3     1.8 % (1.4 %, 1.2 %)", "percal impact SCENE"})
     EXPECT_THAT(answer, HasSubstr(there));
   EXPECT_THAT(answer, Not(HasSubstr("half the time step")));
+}
+
+TEST(ErrorVsTimePage, OfALocalRulePromisesNoLimit) {
+  const page::Page page = study_page(result_of(study_test::local_ladder_of(0.2, 1, 0.02)));
+  const std::string answer = answer_of(page);
+  for (const char* there :
+       {"28.08 m on 5 elements per radius, 27.19 m on 28", "no limit, each depth", "from the finest", "+0.7 %",
+        "Runs on the scene's own mesh for an error", "2 %      10     1"})
+    EXPECT_THAT(answer, HasSubstr(there));
+  EXPECT_THAT(answer, Not(HasSubstr("xtrapolated")));
+  EXPECT_EQ(figure_of(page, "error_against_time"), nullptr);
+  EXPECT_THAT(words_of(page), HasSubstr("28 | 27.19 m | 87 mm | - | - |")) << "the finest is not off from itself";
+  const test::Figure* depths = figure_of(page, "mesh_study");
+  ASSERT_NE(depths, nullptr);
+  EXPECT_EQ(series_of(*depths, "fitted"), nullptr);
+  EXPECT_EQ(series_of(*depths, "extrapolated"), nullptr);
 }
 
 TEST(ErrorVsTimePage, SaysWhatEveryRungRanAndCost) {

@@ -138,6 +138,18 @@ TEST_F(Study, IsWhatAnAccuracyOfAnImpactComesFrom) {
   EXPECT_THAT(run({"impact", file, "--accuracy", "50%"}).out, HasSubstr("Estimated error"));
 }
 
+TEST_F(Study, OfALocalRuleLeavesTheMeshAndPicksTheRuns) {
+  const std::string file = write("channel.toml", text_of(test::test_data + "layer.toml"));
+  const Ended ended = study({file});
+  ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("from the finest"), HasSubstr("no limit"), HasSubstr("scene's own mesh")));
+  const json accuracy = json::parse(run({"impact", file, "--accuracy", "20%", "--json"}).out)["accuracy"];
+  EXPECT_EQ(accuracy["study_was_kept"], true);
+  EXPECT_EQ(accuracy["elements_per_radius"], 4);
+  EXPECT_TRUE(accuracy["discretisation_error"].is_null());
+  EXPECT_LE(accuracy["noise_error"], 0.2);
+}
+
 TEST_F(Study, AnAccuracyOutOfReachIsSaidAndNotRun) {
   const std::string file = scene();
   ASSERT_EQ(study({file}).code, 0);

@@ -163,6 +163,36 @@ const GridFit& tightest(const std::vector<GridFit>& fits) {
   return *std::ranges::min_element(fits, {}, &GridFit::standard_deviation);
 }
 
+// By weights of noise alone, and of fine meshes besides.
+using WeightedSeries = std::array<Series, 2>;
+
+void add_fixed(const WeightedSeries& series, ErrorForm form, std::vector<GridFit>& fits) {
+  for (const bool fine_weighted : {false, true}) fits.push_back(fit_fixed(series[fine_weighted], fine_weighted, form));
+}
+
+void fit_given(const WeightedSeries& series, ErrorForm form, GridConvergence& found) {
+  std::vector<GridFit> candidates;
+  add_fixed(series, form, candidates);
+  found.fit = tightest(candidates);
+  found.observed_order = found.fit.order;
+  found.order_is_reasonable = true;
+}
+
+void fit_any(const WeightedSeries& series, GridConvergence& found) {
+  const std::vector<GridFit> free{fit_free(series[0], false), fit_free(series[1], true)};
+  std::vector<GridFit> candidates;
+  for (const auto& fit : free)
+    if (is_reasonable(fit.order)) candidates.push_back(fit);
+  found.order_is_reasonable = !candidates.empty();
+  found.observed_order = tightest(candidates.empty() ? free : candidates).order;
+  if (candidates.empty()) {
+    add_fixed(series, ErrorForm::first_order, candidates);
+    add_fixed(series, ErrorForm::second_order, candidates);
+    if (found.observed_order < lowest_order) add_fixed(series, ErrorForm::first_and_second_order, candidates);
+  }
+  found.fit = tightest(candidates);
+}
+
 void require_usable(std::span<const GridPoint> points) {
   for (const auto& point : points)
     if (!(point.h > 0) || !std::isfinite(point.h) || !std::isfinite(point.value) || !(point.standard_error >= 0) ||
@@ -205,7 +235,7 @@ double GridFit::error_at(double h) const {
   return form == ErrorForm::first_and_second_order ? a * h + b * h * h : a * std::pow(h, order);
 }
 
-GridConvergence grid_convergence(std::span<const GridPoint> points) {
+GridConvergence grid_convergence(std::span<const GridPoint> points, std::optional<ErrorForm> form) {
   require_usable(points);
   std::set<double> sizes;
   for (const auto& point : points) sizes.insert(point.h);
@@ -213,21 +243,11 @@ GridConvergence grid_convergence(std::span<const GridPoint> points) {
   if (sizes.size() < fewest_grids) return found;
   gsl_set_error_handler_off();
   found.outcome = GridOutcome::fitted;
-  const std::array<Series, 2> series{series_of(points, false), series_of(points, true)};
-  const std::vector<GridFit> free{fit_free(series[0], false), fit_free(series[1], true)};
-  std::vector<GridFit> candidates;
-  for (const auto& fit : free)
-    if (is_reasonable(fit.order)) candidates.push_back(fit);
-  found.order_is_reasonable = !candidates.empty();
-  found.observed_order = tightest(candidates.empty() ? free : candidates).order;
-  if (candidates.empty()) {
-    std::vector<ErrorForm> forms{ErrorForm::first_order, ErrorForm::second_order};
-    if (found.observed_order < lowest_order) forms.push_back(ErrorForm::first_and_second_order);
-    for (const ErrorForm form : forms)
-      for (const bool fine_weighted : {false, true})
-        candidates.push_back(fit_fixed(series[fine_weighted], fine_weighted, form));
-  }
-  found.fit = tightest(candidates);
+  const WeightedSeries series{series_of(points, false), series_of(points, true)};
+  if (form)
+    fit_given(series, *form, found);
+  else
+    fit_any(series, found);
   const auto [low, high] = std::ranges::minmax(points, {}, &GridPoint::value);
   found.data_range = (high.value - low.value) / static_cast<double>(points.size() - 1);
   if (found.data_range == 0) found.fit = constant(low.value);

@@ -42,8 +42,9 @@ struct GridFit {
 struct GridConvergence {
   GridOutcome outcome = GridOutcome::too_few_grids;  // of which nothing below is to be used
   GridFit fit;
-  double observed_order = 0;         // of the free fit, also where it was then not used; between its search's bounds
-  bool order_is_reasonable = false;  // 0.5 to 2
+  double observed_order =
+      0;  // of the free fit, also where it was then not used; between its search's bounds; a given form's
+  bool order_is_reasonable = false;  // 0.5 to 2, or given
   double data_range = 0;             // Delta_M = (largest - smallest value)/(n - 1)
   double safety_factor = 3;
   std::vector<double> uncertainty;  // of each point: the exact value is within it, in 95 of 100 cases
@@ -54,8 +55,9 @@ struct GridConvergence {
 
 // Least squares of f0 + a h^p, with equal weights and with 1/h; where the order found is not between 0.5 and 2, of the forms
 // with fixed orders in its place; of these the one with the smallest standard deviation. Where every point has a standard
-// error, weights are also as 1/error^2. Throws BadInput where an h is not positive or a number is not finite.
-GridConvergence grid_convergence(std::span<const GridPoint> points);
+// error, weights are also as 1/error^2. With a form given, that one with the better of the two kinds of weights. Throws BadInput where
+// an h is not positive or a number is not finite.
+GridConvergence grid_convergence(std::span<const GridPoint> points, std::optional<ErrorForm> form = {});
 
 // Other series that could have been found: the fit's values with normal noise of each point's standard error, or of the
 // scatter about the fit where that is larger. The same seed gives the same numbers.

@@ -24,6 +24,11 @@ std::optional<double> element_over_erosion_length(const Scene& scene) {
   return scene.particle.radius / scene.mesh.elements_per_radius / *length;
 }
 
+Refinement refinement(const Scene& scene) {
+  if (std::holds_alternative<NoErosion>(scene.target.erosion)) return Refinement::any_order;
+  return erosion_length(scene.target) ? Refinement::second_order : Refinement::no_limit;
+}
+
 double coarsest_mesh(const Scene& scene) {
   const auto length = erosion_length(scene.target);
   return length ? std::ceil(scene.particle.radius / *length / largest_element_in_length * (1 - rounding)) : 1;

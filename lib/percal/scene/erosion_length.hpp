@@ -15,6 +15,14 @@ std::optional<double> erosion_length(const LayerScene& target);  // m; nothing w
 // The side of an element over the length; nothing where there is none.
 std::optional<double> element_over_erosion_length(const Scene& scene);
 
+// How a depth goes as elements shrink. Without a limit it belongs to its mesh.
+enum class Refinement {
+  no_limit,      // each element goes by its own value               docs/decisions/0012-mesh-and-phase.md
+  second_order,  // erosion is judged over a length                  docs/theory/impact.md, Erosion judged over a length
+  any_order      // nothing erodes
+};
+Refinement refinement(const Scene& scene);
+
 // Elements per radius, a whole number: the coarsest mesh that has three elements in the length; 1 where there is none.
 double coarsest_mesh(const Scene& scene);
 

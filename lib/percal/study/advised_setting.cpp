@@ -27,28 +27,39 @@ struct Candidate {
   int replicates = 0;
   double discretisation = 0;
   double cpu_seconds = unbounded;
-  bool is_extrapolated = false;
+  bool is_estimated = false;
   bool is_found() const { return replicates > 0; }
 };
 
 void keep_cheaper(Candidate& best, double mesh, double discretisation, double run_seconds, const LadderModel& model,
                   double target) {
-  const int replicates = replicates_for(target, discretisation, model.noise);
+  const int replicates = replicates_for(target, discretisation, model.noise.on(mesh));
   if (replicates > 0 && replicates * run_seconds < best.cpu_seconds)
-    best = {mesh, replicates, discretisation, replicates * run_seconds, best.is_extrapolated};
+    best = {mesh, replicates, discretisation, replicates * run_seconds, best.is_estimated};
 }
 
 Candidate cheapest(std::span<const Rung> rungs, const LadderModel& model, const PowerLaw& cost, double target) {
   Candidate best;
+  const double finest = rungs.back().elements_per_radius;
   for (std::size_t i = 0; i < rungs.size(); ++i)
     keep_cheaper(best, rungs[i].elements_per_radius, model.discretisation[i], rungs[i].cpu_seconds, model, target);
   if (best.is_found()) return best;
-  best.is_extrapolated = true;
-  for (double mesh = std::floor(rungs.back().elements_per_radius) + 1; mesh <= finest_advised_mesh; ++mesh) {
+  best.is_estimated = true;
+  for (double mesh = std::floor(finest) + 1; mesh <= farthest_advised_mesh * finest; ++mesh) {
     const double fitted = model.fit.error_at(1.0 / mesh) / model.fit.limit;
     keep_cheaper(best, mesh, std::hypot(fitted, model.irregularity), cost.at(mesh), model, target);
   }
   return best;
+}
+
+// The scene's own mesh with the runs that its noise needs.
+Candidate on_scene_mesh(const Ladder& ladder, const LadderModel& model, const PowerLaw& cost, double target) {
+  Candidate own;
+  const auto rung = std::ranges::find(ladder.meshes, ladder.scene_mesh, &Rung::elements_per_radius);
+  own.is_estimated = rung == ladder.meshes.end();
+  keep_cheaper(own, ladder.scene_mesh, 0, own.is_estimated ? cost.at(ladder.scene_mesh) : rung->cpu_seconds, model,
+               target);
+  return own;
 }
 
 // Processor seconds of a run against elements per radius.
@@ -69,36 +80,54 @@ double value_at(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
 }
 
+std::string why_no_mesh(std::span<const Rung> rungs, const LadderModel& model) {
+  return fmt::format(
+      "no mesh of the ladder reaches it with up to {} replicates, nor, by the fitted curve, one of up to {:g} elements "
+      "per radius: on {:g} the mesh's error is {:.2g} %, the depths scatter from mesh to mesh by {:.2g} % beyond their "
+      "noise, and a run by {:.2g} %",
+      most_advised_replicates, farthest_advised_mesh * rungs.back().elements_per_radius,
+      rungs.back().elements_per_radius, 100 * model.discretisation.back(), 100 * model.irregularity,
+      100 * model.noise.on(rungs.back().elements_per_radius));
+}
+
+std::string why_no_number(const LadderModel& model, double scene_mesh) {
+  return fmt::format("up to {} replicates do not reach it: a run scatters by {:.2g} %", most_advised_replicates,
+                     100 * model.noise.on(scene_mesh));
+}
+
 }  // namespace
 
 AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double target) {
   AdvisedSetting advice;
   advice.target = target;
-  if (!study.is_fitted()) {
-    advice.why_not = "the meshes of the ladder give no depth to extrapolate to";
+  if (!study.is_answered()) {
+    advice.why_not = study.has_limit() ? "the meshes of the ladder give no depth to extrapolate to"
+                                       : "the finest mesh of the ladder gives no depth";
     return advice;
   }
   const auto rungs = std::span(ladder.meshes).subspan(study.first_used);
   const PowerLaw cost = cost_law(rungs);
-  const Candidate best = cheapest(rungs, study.model, cost, target);
+  const auto choose = [&](const LadderModel& model) {
+    return study.has_limit() ? cheapest(rungs, model, cost, target) : on_scene_mesh(ladder, model, cost, target);
+  };
+  const Candidate best = choose(study.model);
   std::vector<double> others;
-  for (const auto& model : study.resampled) others.push_back(cheapest(rungs, model, cost, target).cpu_seconds);
+  for (const auto& model : study.resampled) others.push_back(choose(model).cpu_seconds);
   advice.cpu_seconds_low = bounded(std::min(best.cpu_seconds, value_at(others, 0.025)));
   advice.cpu_seconds_high = bounded(std::max(best.cpu_seconds, value_at(others, 0.975)));
   if (!best.is_found()) {
-    advice.why_not = fmt::format(
-        "no mesh of the ladder reaches it, nor would one of up to {} elements per radius with up to {} replicates: the "
-        "depths scatter from mesh to mesh by {:.2g} % beyond their noise, and a run by {:.2g} %",
-        finest_advised_mesh, most_advised_replicates, 100 * study.model.irregularity, 100 * study.model.noise);
+    advice.why_not =
+        study.has_limit() ? why_no_mesh(rungs, study.model) : why_no_number(study.model, ladder.scene_mesh);
     return advice;
   }
   advice.is_found = true;
-  advice.cost_is_estimated = best.is_extrapolated;
+  advice.cost_is_estimated = best.is_estimated;
   advice.elements_per_radius = best.elements_per_radius;
   advice.replicates = best.replicates;
-  advice.discretisation_error = best.discretisation;
-  advice.noise_error = study.model.noise / std::sqrt(best.replicates);
-  advice.error = combined_error(best.discretisation, study.model.noise, best.replicates);
+  if (study.has_limit()) advice.discretisation_error = best.discretisation;
+  const double noise = study.model.noise.on(best.elements_per_radius);
+  advice.noise_error = noise / std::sqrt(best.replicates);
+  advice.error = combined_error(best.discretisation, noise, best.replicates);
   advice.cpu_seconds = best.cpu_seconds;
   return advice;
 }

@@ -1,5 +1,5 @@
-// What a ladder of meshes says: the depth that it converges to, the error of every mesh, the noise of a run. Formulas:
-// docs/theory/errors.md.
+// What a ladder of meshes says: how far each mesh is from the finest, the noise of a run and, where depths have a limit in the
+// element's size, that limit and the error of every mesh. Formulas: docs/theory/errors.md.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -39,28 +39,45 @@ struct Change {
 
 Change change(const Rung& from, const Rung& to);
 
+// The spread of a run over its depth. Where elements erode it goes as their size, a column more or less in the channel; else it is
+// that of the replicates' speeds, the same on all meshes.
+struct RunNoise {
+  static constexpr double usual_mesh = 10;  // elements per radius
+  double on_usual_mesh = 0;
+  double order = 0;  // in the size of an element
+  double on(double elements_per_radius) const;
+};
+
 // One view of a ladder: the one found, or one that could have been found (its noise drawn anew).
 struct LadderModel {
-  GridFit fit;
-  std::vector<double> discretisation;  // of each used rung
+  GridFit fit;                         // nothing to be used without a limit
+  std::vector<double> discretisation;  // of each used rung; 0 without a limit
   double irregularity = 0;             // scatter of the meshes about the fit beyond the noise
-  double noise = 0;                    // spread of a run over the extrapolated depth
+  RunNoise noise;
 };
 
 struct ErrorVsTime {
+  Refinement refinement =
+      Refinement::any_order;  // the ladder's; without a limit nothing is fitted and there are no errors
   GridConvergence convergence;
   std::size_t first_used = 0;    // the rungs of Ladder::meshes from here on stopped
   std::size_t first_fitted = 0;  // and from here on were fitted: coarser ones do not follow the curve
   ErrorBand limit;               // m, the extrapolated depth
   LadderModel model;
   std::vector<LadderModel> resampled;
-  std::vector<RungError> errors;  // one for each used rung; empty where nothing could be fitted
-  std::vector<Change> half_step;  // one for each of Ladder::half_steps
-  Change double_precision;        // from single to double
+  std::vector<ErrorBand> from_finest;  // one for each used rung: its depth over the finest mesh's, less 1
+  std::vector<RungError> errors;       // one for each used rung; empty where nothing could be fitted
+  std::vector<Change> half_step;       // one for each of Ladder::half_steps
+  Change double_precision;             // from single to double
   std::vector<std::string> findings;
+
+  bool has_limit() const { return refinement != Refinement::no_limit; }
 
   // Four meshes or more stopped, and the depth that they converge to is one.
   bool is_fitted() const { return convergence.outcome == GridOutcome::fitted && convergence.fit.limit > 0; }
+
+  // There is something to advise by: the limit, or without one the noise and cost of two meshes or more.
+  bool is_answered() const { return has_limit() ? is_fitted() : from_finest.size() > 1; }
 };
 
 ErrorVsTime error_vs_time(const Ladder& ladder);

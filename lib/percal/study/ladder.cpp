@@ -10,7 +10,6 @@
 #include "percal/impact/target/size.hpp"
 #include "percal/math/grid_convergence.hpp"
 #include "percal/problem/domain.hpp"
-#include "percal/scene/erosion_length.hpp"
 
 namespace percal {
 namespace {
@@ -114,6 +113,8 @@ long ladder_runs(const LadderOptions& options) {
 Ladder run_ladder(const Scene& scene, const LadderOptions& wanted, Campaign& campaign, Progress* progress) {
   Ladder ladder;
   ladder.options = checked(wanted, scene);
+  ladder.refinement = refinement(scene);
+  ladder.scene_mesh = scene.mesh.elements_per_radius;
   const auto settings = settings_of(ladder.options);
   std::vector<Reduction> reductions;
   std::vector<Problem> problems;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "percal/campaign/campaign.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene.hpp"
 
 namespace percal {
@@ -36,10 +37,12 @@ struct Rung {
 Rung rung_of(const Reduction& reduction, const std::vector<Evaluation>& runs);
 
 struct Ladder {
-  LadderOptions options;         // as run: sorted, the time step filled in
-  std::vector<Rung> meshes;      // coarse to fine, single precision
-  std::vector<Rung> half_steps;  // half the time step, on two of these meshes
-  Rung double_precision;         // on the second mesh
+  LadderOptions options;                          // as run: sorted, the time step filled in
+  Refinement refinement = Refinement::any_order;  // of the scene
+  double scene_mesh = 0;                          // its elements per radius
+  std::vector<Rung> meshes;                       // coarse to fine, single precision
+  std::vector<Rung> half_steps;                   // half the time step, on two of these meshes
+  Rung double_precision;                          // on the second mesh
   const Rung& on_mesh(double elements_per_radius) const;
 };
 

@@ -138,6 +138,11 @@ std::string error_words(const Json& result) {
           "by it.");
     return fmt::format("{}", fmt::join(advice, " "));
   }
+  if (!number(accuracy, "discretisation_error"))
+    return fmt::format(
+        "Estimated error of the depth {}: mesh phase and noise alone, from the scene's study. The depth belongs to its "
+        "elements.",
+        rough_percent(number(accuracy, "error")));
   return fmt::format(
       "Estimated error of the depth {} (element size {}, mesh phase and noise {}), from the scene's study{}.",
       rough_percent(number(accuracy, "error")), rough_percent(number(accuracy, "discretisation_error")),
@@ -212,7 +217,8 @@ Table accuracy_table(const Json& result) {
   row("the study", yes(accuracy, "study_was_kept")
                        ? "kept in the store"
                        : "run for this, " + quantity(number(accuracy, "study_cpu_s"), dimension::time, 3));
-  if (yes(accuracy, "cost_estimated")) table.notes.push_back("Extrapolated: no mesh of the study reaches this error.");
+  if (yes(accuracy, "cost_estimated") && number(accuracy, "discretisation_error"))
+    table.notes.push_back("Extrapolated: no mesh of the study reaches this error.");
   return table;
 }
 

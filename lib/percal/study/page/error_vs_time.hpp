@@ -14,6 +14,9 @@ std::string error_vs_time_csv(const page::Json& result);
 
 page::Page error_vs_time_page(const page::Json& result);
 
+// "A run scatters by 3.8 % on 10 elements per radius, in proportion to their size"; empty where it is not known.
+std::string spread_words(const page::Json& result);
+
 // Its figures: ladder_figures.cpp.
 page::Figure error_against_time(const page::Json& result);
 page::Figure depth_against_element_size(const page::Json& result);

@@ -29,7 +29,6 @@ Figure error_against_time(const Json& result) {
   figure.chart.title = "Error against processor time";
   figure.chart.x = {.label = "processor time of all runs, s", .logarithmic = true, .low = {}, .high = {}, .tics = {}};
   figure.chart.y = {.label = "error of the mean depth, %", .logarithmic = true, .low = {}, .high = {}, .tics = {}};
-  const double noise = 100 * number_or(at(result, "convergence"), "spread_of_a_run", NAN);
   int colour = 0;
   for (const int count : replicate_counts) {
     const std::string name = count == 1 ? "one run" : fmt::format("mean of {}", count);
@@ -40,17 +39,15 @@ Figure error_against_time(const Json& result) {
       const double seconds = count * number_or(mesh, "cpu_s", NAN), value = 100 * number_or(error, "value", NAN);
       add_bar(drawn, seconds, value, 100 * number_or(error, "low", NAN), 100 * number_or(error, "high", NAN));
       add_point(line, seconds, value);
+      add_point(floor, seconds, 100 * number_or(mesh, "spread_of_a_run", NAN) / std::sqrt(count));
     }
     if (drawn.x.empty()) continue;
-    if (noise > 0)
-      for (const double seconds : {drawn.x.front(), drawn.x.back()})
-        add_point(floor, seconds, noise / std::sqrt(count));
     for (const Series& one : {floor, line, drawn}) add(figure.chart, one);
     ++colour;
   }
   figure.caption =
       "Each point is a mesh of the ladder, coarse to fine from left to right; bars are the error's interval. The "
-      "dashes are the noise of erosion, which a finer mesh does not lower and more runs do.";
+      "dashes are the noise of the runs alone, which more runs lower.";
   figure.alt =
       "Error of the mean depth over processor time, both logarithmic, for one run, three and ten. " + figure.caption;
   return figure;
@@ -88,11 +85,15 @@ Figure depth_against_element_size(const Json& result) {
               number_or(found, "extrapolated_depth_high_m", NAN) / unit.size);
   }
   for (const Series& one : {band, fitted, meshes, half, precise}) add(figure.chart, one);
-  figure.caption = fmt::format(
-      "Means of {} runs with their standard errors. The line is the fit that is extrapolated to elements of size zero, "
-      "the band the interval of that depth. A run scatters by {}.",
-      shown(number(at(result, "ladder"), "replicates")), percent(number(found, "spread_of_a_run"), 2));
-  figure.alt = "Depth over element size with standard errors, and the fitted curve. " + figure.caption;
+  figure.caption =
+      fmt::format("Means of {} runs with their standard errors.{} A run scatters by {}.",
+                  shown(number(at(result, "ladder"), "replicates")),
+                  std::isfinite(limit)
+                      ? " The line is the fit that is extrapolated to elements of size zero, the band the interval "
+                        "of that depth."
+                      : "",
+                  percent(number(found, "spread_of_a_run"), 2));
+  figure.alt = "Depth over element size with standard errors. " + figure.caption;
   return figure;
 }
 
