@@ -153,8 +153,9 @@ void Training::take_foreign_runs() {
   std::vector<double> natural;
   for (const auto& parameter : job_.parameters) natural.push_back(std::sqrt(parameter.free.low * parameter.free.high));
   const MeasuredShot& shot = job_.shots.front();
+  const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
   const std::string setting =
-      setting_of(shot_problem(job_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
+      setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
   const auto usable = [&](const StoredSphere& s) {
     return s.depth_over_radius && setting_of(s.problem) == setting &&
            s.problem.elements_per_radius >=

@@ -93,7 +93,7 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
     low = std::min(low, depth);
     high = std::max(high, depth);
     within += std::abs(*z) <= 2;
-    const auto in_length = number(run, "elements_in_erosion_length");
+    const auto in_length = number(maybe(run, "elements_in_erosion_length"));
     mesh = in_length ? shown(in_length) + " elements in the erosion length"
                      : shown(number(run, "elements_per_radius")) + " elements per radius";
   }
