@@ -42,6 +42,7 @@ TEST_F(CalibratePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
        {"particle", "particle_density", "radius", "radius_column", "diameter", "speed", "depth_error_column"})
     keys["[[shots]]"].insert(key);
   keys["[[ridge_points]]"].insert("where");
+  keys["[materials.NAME]"].insert("erosion_length");
   EXPECT_EQ(keys, described());
 }
 

@@ -11,10 +11,11 @@ namespace percal::test {
 // ln(depth/radius): softer, faster, heavier goes deeper; harder to erode goes less deep.
 inline double smooth_law(const SphereInputs& at) {
   return 2 + 0.35 * at.log_pi4 - 0.5 * at.log_pi5 - 0.05 * at.alpha - 0.5 * std::log(at.erosion_strain) +
-         0.02 * at.log_pi4 * at.alpha;
+         0.02 * at.log_pi4 * at.alpha - 0.3 * at.log_erosion_length;
 }
 
-inline Emulator emulator_of_the_smooth_law(int runs = 150, double noise = 0.002) {
+// With `length` over lengths from 0.1 radii to 1, with four elements in each.
+inline Emulator emulator_of_the_smooth_law(int runs = 150, double noise = 0.002, bool length = false) {
   const auto points = sobol_points(runs, sphere_inputs, 1);
   Draws draws(1);
   std::vector<TrainingRun> training;
@@ -25,8 +26,9 @@ inline Emulator emulator_of_the_smooth_law(int runs = 150, double noise = 0.002)
                           4 + 8 * u[2],
                           0.3 + 1.2 * u[3],
                           std::log(50.0) + u[4] * std::log(3.0),
-                          std::log(50.0) + u[5] * std::log(40.0)};
-    training.push_back({at, 0.1, smooth_law(at) + noise * draws.normal()});
+                          std::log(50.0) + u[5] * std::log(40.0),
+                          length ? std::log(0.1) + u[6] * std::log(10.0) : 0};
+    training.push_back({at, length ? 0.25 : 0.1, smooth_law(at) + noise * draws.normal()});
   }
   return Emulator(training, EmulatorOptions{});
 }
@@ -59,6 +61,20 @@ inline CalibrationJob gel_job(int speeds = 8) {
     job.shots.push_back(shot);
   }
   job.hypotheses = {{.name = "free", .held = {}}};
+  return job;
+}
+
+// The same judged over a length, on balls of two sizes.
+inline CalibrationJob gel_job_with_length(int speeds = 8) {
+  CalibrationJob job = gel_job(speeds);
+  job.parameters.push_back(
+      {ParameterKind::erosion_length, {.name = "length", .unit = "m", .low = 0.2e-3, .high = 0.7e-3}});
+  job.materials[0].erosion_length = SharedParameter{3};
+  job.training.coarse = job.training.fine = job.training.verify = 4;
+  for (int k = 0; k < speeds; k += 3) {
+    job.shots[k].radius = 0.8e-3;
+    job.shots[k].layer_width = 5 * job.shots[k].radius;
+  }
   return job;
 }
 

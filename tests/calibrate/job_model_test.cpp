@@ -40,6 +40,15 @@ TEST(FiniteElementModel, ItsJacobianIsThatOfItsDepths) {
   }
 }
 
+TEST(FiniteElementModel, ItsJacobianByAnErosionLengthIsThatOfItsDepths) {
+  const CalibrationJob job = test::gel_job_with_length();
+  const auto model =
+      finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(150, 0.002, true), 0.25);
+  const VectorXd at = somewhere(model);
+  expect_jacobian_by_differences(model, at, job.shots);
+  EXPECT_NEAR(model.log_depths(at, job.shots, Want::values).jacobian(0, 3), -0.3, 0.02) << "the law's";
+}
+
 TEST(FiniteElementModel, ItsSpeedExponentIsThatOfItsDepths) {
   CalibrationJob job = test::gel_job();
   const auto emulator = test::emulator_of_the_smooth_law();
@@ -104,6 +113,20 @@ TEST(DehnModel, MaterialsWithOneModulusShareTheirStrength) {
   EXPECT_EQ(dehn_model(job).parameters.size(), 2u);
   job.materials.back().mu = 200e3;
   EXPECT_EQ(dehn_model(job).parameters.size(), 3u);
+}
+
+// Whatever a sphere's size, the element is the same share of the length, and the emulator is told so.
+TEST(ShotProblem, AMeshHasAsManyElementsInTheLengthForEverySize) {
+  const CalibrationJob job = test::gel_job_with_length();
+  const MaterialAt material = material_at(job, job.hypotheses[0], 0, {150e3, 8, 0.9, 0.4e-3});
+  for (const auto& shot : job.shots) {
+    const Problem problem = shot_problem(job, shot, material, mesh_of(shot, material, 4));
+    EXPECT_NEAR(problem.elements_per_radius, 4 * shot.radius / 0.4e-3, 1e-9);
+    EXPECT_NEAR(element_size(problem), 0.25, 1e-11);
+    EXPECT_NEAR(inputs_of(problem).log_erosion_length, std::log(0.4e-3 / shot.radius), 1e-11);
+    const Eigen::VectorXd rounding = in_order(shot_inputs(shot, material).at) - in_order(inputs_of(problem));
+    EXPECT_LT(rounding.cwiseAbs().maxCoeff(), 1e-11);
+  }
 }
 
 TEST(ShotProblem, TheEmulatorsInputsAreThoseOfTheProblemThatIsRun) {

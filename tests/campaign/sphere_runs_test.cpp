@@ -90,6 +90,15 @@ TEST(InputsOf, AreThoseOfTheProblem) {
   EXPECT_EQ(inputs_of(p), expected);
 }
 
+TEST(InputsOf, ALengthIsOneOfThemAndElementsAreSharesOfIt) {
+  Problem p = quick_shot();
+  EXPECT_EQ(element_size(p), 0.25);
+  p.erosion_average = AverageWithin{0.5};
+  EXPECT_EQ(inputs_of(p).log_erosion_length, std::log(0.5));
+  EXPECT_EQ(element_size(p), 0.5);
+  EXPECT_EQ(training_run(p, 9).h, 0.5);
+}
+
 TEST(InputsOf, ALimitIsTheSameInEveryMeasure) {
   Problem p = quick_shot();
   for (const auto measure : {StrainMeasure::true_strain, StrainMeasure::green_lagrange}) {
@@ -124,6 +133,10 @@ TEST(SettingOf, TwoSystemsOnTwoMeshesShareOne) {
   other.graded_columns = usual_graded_columns(other);
   other.speed_factor = 0.999;
   EXPECT_EQ(setting_of(other), setting_of(quick_shot()));
+  Problem shorter = quick_shot();
+  shorter.erosion_average = AverageWithin{0.3};
+  other.erosion_average = AverageWithin{0.9};
+  EXPECT_EQ(setting_of(other), setting_of(shorter));
 }
 
 TEST(SettingOf, WhatTheEmulatorDoesNotKnowTellsThemApart) {
@@ -140,6 +153,7 @@ TEST(SettingOf, WhatTheEmulatorDoesNotKnowTellsThemApart) {
   EXPECT_TRUE(differs([](Problem& p) { p.linear_viscosity = 0; }));
   EXPECT_TRUE(differs([](Problem& p) { p.arithmetic = Arithmetic::double_precision; }));
   EXPECT_TRUE(differs([](Problem& p) { p.rates = 1; }));
+  EXPECT_TRUE(differs([](Problem& p) { p.erosion_average = AverageWithin{0.3}; }));
 }
 
 }  // namespace

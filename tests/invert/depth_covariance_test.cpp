@@ -19,9 +19,9 @@ MeshPoints some_points() {
 CovarianceParameters some_parameters() {
   CovarianceParameters p;
   p.amplitude = 0.4;
-  p.length << 0.8, 1.5, 2, 1, 3, 1.2;
+  p.length << 0.8, 1.5, 2, 1, 3, 1.2, 0.9;
   p.mesh_amplitude = 0.15;
-  p.mesh_length << 1.8, 0.5, 2.5, 1.3, 0.9, 2;
+  p.mesh_length << 1.8, 0.5, 2.5, 1.3, 0.9, 2, 1.4;
   p.mesh_order = 1.3;
   p.noise = 0.03;
   p.noise_order = 0.6;
@@ -65,7 +65,7 @@ TEST(DepthCovariance, AWeightedSumIsTheProductWithTheWeights) {
     const auto value = [&](const Eigen::VectorXd& at) {
       return covariance.between({at.transpose(), Eigen::VectorXd::Constant(1, h)}, points).row(0).dot(weights);
     };
-    const Eigen::VectorXd at = (Eigen::VectorXd(sphere_inputs) << 0.1, -0.3, 0.7, 0.2, -0.9, 1.4).finished();
+    const Eigen::VectorXd at = (Eigen::VectorXd(sphere_inputs) << 0.1, -0.3, 0.7, 0.2, -0.9, 1.4, 0.5).finished();
     const auto sum = covariance.weighted_sum(at, h, points, weights);
     EXPECT_NEAR(sum.value, value(at), 1e-10);
     for (int j = 0; j < sphere_inputs; ++j) {
@@ -95,9 +95,9 @@ TEST(DepthFeatures, TheErosionEnergyIsTheIntegralOfTheTensionTest) {
 }
 
 TEST(DepthFeatures, GradientsComeBackToTheInputs) {
-  const Eigen::VectorXd by_features = (Eigen::VectorXd(sphere_inputs) << 0.7, -0.2, 0.3, 0.9, -1, 0.4).finished();
+  const Eigen::VectorXd by_features = (Eigen::VectorXd(sphere_inputs) << 0.7, -0.2, 0.3, 0.9, -1, 0.4, 0.6).finished();
   for (double alpha : {-7.0, -3e-5, 4e-5, 0.02, 3.0, 11.0}) {
-    const SphereInputs at{3, -1, alpha, 0.6, 4.4, 5};
+    const SphereInputs at{3, -1, alpha, 0.6, 4.4, 5, -1.2};
     const Eigen::VectorXd gradient = by_inputs(at, by_features);
     for (int j = 0; j < sphere_inputs; ++j) {
       const double step = j == index_of(&SphereInputs::alpha) ? 1e-5 : 1e-6;

@@ -134,6 +134,43 @@ TEST(Emulator, LeaveOneOutStatesItsOwnError) {
   EXPECT_LT(left_out.root_mean_square, 0.03);
 }
 
+// Without a length, and with the same one for all, an emulator is that of six inputs: to the bit, whatever the length.
+TEST(Emulator, AnErosionLengthThatNoRunVariesIsNoInput) {
+  Noise normal;
+  const auto runs = three_meshes(0.02, normal);
+  auto with_one_length = runs;
+  for (TrainingRun& run : with_one_length) run.at.log_erosion_length = -1.3;
+  const Emulator without(runs, EmulatorOptions{}), with(with_one_length, EmulatorOptions{});
+  EXPECT_EQ(without.settings().inputs(), inputs_without_length);
+  auto at = box_points(5, 300);
+  const DepthAnswers expected = without.depth(at, 0.1, true);
+  for (SphereInputs& point : at) point.log_erosion_length = -0.2;
+  EXPECT_TRUE(same_bits(with.depth(at, 0.1, true), expected));
+}
+
+TEST(Emulator, LearnsWhatALengthDoes) {
+  Noise normal;
+  auto runs = runs_of(box_points(150, 0), 0.25, 0.01, normal);
+  const auto of_length = [](double log_length) { return -0.3 * log_length - 0.1 * log_length * log_length; };
+  const Eigen::MatrixXd places = sobol_points(150, 1, 77);
+  for (int i = 0; i < 150; ++i) {
+    runs[i].at.log_erosion_length = -2 + 2 * places(i, 0);
+    runs[i].log_depth += of_length(runs[i].at.log_erosion_length);
+  }
+  const Emulator emulator(runs, EmulatorOptions{});
+  EXPECT_EQ(emulator.settings().inputs(), sphere_inputs);
+  SphereInputs at = box_points(1, 300).front();
+  at.log_erosion_length = -1;
+  const DepthAnswers answer = emulator.depth({at}, 0.25, false);
+  SphereInputs above = at, below = at;
+  above.log_erosion_length += 1e-5;
+  below.log_erosion_length -= 1e-5;
+  const Eigen::VectorXd ends = emulator.depth({above, below}, 0.25, false).log_depth;
+  const double slope = answer.gradient(0, index_of(&SphereInputs::log_erosion_length));
+  EXPECT_NEAR(slope, (ends[0] - ends[1]) / 2e-5, 1e-6);
+  EXPECT_NEAR(slope, -0.1, 0.05);
+}
+
 TEST(Emulator, GradientsAreDerivatives) {
   Noise normal;
   const Emulator emulator(three_meshes(0.02, normal), plausible_settings());

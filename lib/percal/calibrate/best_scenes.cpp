@@ -15,7 +15,7 @@ std::vector<BestScene> best_scenes(const CalibrationJob& job, const CalibrationR
     int number = 0;
     for (const MeasuredShot& shot : job.shots) {
       const MaterialAt material = material_at(job, hypothesis, shot.material, natural);
-      Scene scene = shot_scene(job, shot, material, job.training.verify);
+      Scene scene = shot_scene(job, shot, material, mesh_of(shot, material, job.training.verify));
       scene.target.name = job.materials[shot.material].name;
       scene.replicates = job.training.verify_replicates;
       scenes.push_back({fmt::format("hypothesis_{}_shot_{}", found.index + 1, ++number), std::move(scene)});

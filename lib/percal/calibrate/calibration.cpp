@@ -47,7 +47,7 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
       targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
       const auto drawn = static_cast<int>(candidates.size());
       const auto on_mesh = [&](double mesh) {
-        return shot_problem(job, shot, material, drawn_mesh(mesh, seed, drawn));
+        return shot_problem(job, shot, material, drawn_mesh(mesh_of(shot, material, mesh), seed, drawn));
       };
       candidates.push_back({on_mesh(job.training.coarse), on_mesh(job.training.fine)});
     }

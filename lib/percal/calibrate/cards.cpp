@@ -7,6 +7,7 @@
 
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/fit/cards.hpp"
+#include "percal/units/quantity.hpp"
 
 namespace percal {
 namespace {
@@ -41,9 +42,11 @@ double bulk_ratio(const CalibrationJob& job, int material, const MaterialAt& at)
   return ratio;
 }
 
-// On the mesh of the runs behind the answer. Its size in metres is one only where the shots have one radius.
+// On the mesh of the runs behind the answer. Its size in metres is one only where the shots have one radius, or erosion a length.
 CardErosion erosion_of(const CalibrationJob& job, int material, const MaterialAt& at) {
   const double over_radius = 1 / job.training.verify;
+  if (at.erosion_length)
+    return {at.erosion_strain, StrainMeasure::engineering, std::nullopt, over_radius * *at.erosion_length};
   std::optional<double> element;
   bool one_radius = true;
   for (const MeasuredShot& shot : job.shots) {
@@ -53,6 +56,18 @@ CardErosion erosion_of(const CalibrationJob& job, int material, const MaterialAt
     element = size;
   }
   return {at.erosion_strain, StrainMeasure::engineering, over_radius, one_radius ? element : std::nullopt};
+}
+
+// What a card of another program cannot say.
+std::vector<std::string> comments_of(const CalibrationJob& job, const Hypothesis& hypothesis, const MaterialAt& at) {
+  std::vector<std::string> comments{"calibrated by percal from " + job.title + ", hypothesis '" + hypothesis.name +
+                                    "'"};
+  if (at.erosion_length)
+    comments.push_back(
+        fmt::format("erosion was judged by the energy of a tension test to this strain, averaged over {}: "
+                    "where each element is judged by itself, another strain is wanted",
+                    format_quantity(*at.erosion_length, dimension::length)));
+  return comments;
 }
 
 std::vector<CardData> data_of(const CalibrationJob& job) {
@@ -90,7 +105,7 @@ std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const Hyp
                       .terms = {{at.mu_true, at.alpha}},
                       .bulk_modulus = at.mu_true * bulk_ratio(job, static_cast<int>(m), at),
                       .erosion = erosion_of(job, static_cast<int>(m), at),
-                      .comments = {"calibrated by percal from " + job.title + ", hypothesis '" + hypothesis.name + "'"},
+                      .comments = comments_of(job, hypothesis, at),
                       .intervals = intervals_of(job, result, material),
                       .fit_error = error_of(result),
                       .data = data};

@@ -14,9 +14,9 @@ using Eigen::VectorXd;
 // d natural / d searched of a parameter.
 double natural_slope(const FreeParameter& parameter, double natural) { return parameter.logarithmic ? natural : 1; }
 
-// Where a material's three numbers stand among the fitted parameters; -1: not fitted.
+// Where a material's numbers stand among the fitted parameters; -1: not fitted.
 struct Places {
-  int mu = -1, alpha = -1, erosion_strain = -1;
+  int mu = -1, alpha = -1, erosion_strain = -1, erosion_length = -1;
 };
 
 struct Context {
@@ -29,9 +29,9 @@ struct Context {
     return natural_values(job, hypothesis, layout.of_job, searched);
   }
 
-  // d(ln mu_true, alpha, erosion strain)/d searched of a material, 3 x parameters.
+  // d(ln mu_true, alpha, erosion strain, ln erosion length)/d searched of a material, 4 x parameters.
   MatrixXd derivative(int material, const MaterialAt& at) const {
-    MatrixXd d = MatrixXd::Zero(3, static_cast<Eigen::Index>(layout.parameters.size()));
+    MatrixXd d = MatrixXd::Zero(4, static_cast<Eigen::Index>(layout.parameters.size()));
     const Places& p = places[material];
     if (p.mu >= 0) d(0, p.mu) = natural_slope(layout.parameters[p.mu], at.mu_as_given) / at.mu_as_given;
     if (p.alpha >= 0) {
@@ -41,6 +41,9 @@ struct Context {
     }
     if (p.erosion_strain >= 0)
       d(2, p.erosion_strain) = natural_slope(layout.parameters[p.erosion_strain], at.erosion_strain);
+    if (p.erosion_length >= 0)
+      d(3, p.erosion_length) =
+          natural_slope(layout.parameters[p.erosion_length], *at.erosion_length) / *at.erosion_length;
     return d;
   }
 };
@@ -169,9 +172,10 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
     context->layout.of_job.push_back(static_cast<int>(k));
   }
   for (const auto& material : job.materials)
-    context->places.push_back({place_of(material.mu, context->layout.of_job),
-                               place_of(material.alpha, context->layout.of_job),
-                               place_of(material.erosion_strain, context->layout.of_job)});
+    context->places.push_back(
+        {place_of(material.mu, context->layout.of_job), place_of(material.alpha, context->layout.of_job),
+         place_of(material.erosion_strain, context->layout.of_job),
+         material.erosion_length ? place_of(*material.erosion_length, context->layout.of_job) : -1});
   JobModel model = context->layout;  // its functions are still empty
   model.log_depths = [context, emulator, h](const VectorXd& searched, std::span<const MeasuredShot> shots, Want want) {
     return emulated_depths(*context, emulator, h, searched, shots, want);

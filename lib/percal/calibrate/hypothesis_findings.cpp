@@ -7,6 +7,7 @@
 
 #include "percal/calibrate/hypothesis_fit.hpp"
 #include "percal/calibrate/layer_width.hpp"
+#include "percal/calibrate/shot_problem.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/scene/width.hpp"
 
@@ -17,6 +18,7 @@ constexpr double mean_of_normal = 0.7979;  // E|x| of a standard normal number
 constexpr double no_influence = 0.05;      // of a depth on a modulus, per cent for each per cent
 
 std::string value_of(const FreeParameter& parameter, double natural) {
+  if (parameter.unit == "m") return page::length(natural, 3);
   return parameter.unit == "Pa" ? page::pressure(natural, 3) : page::shown(natural, 3);
 }
 
@@ -52,6 +54,30 @@ void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, con
                     "strain, {:.3g} as a Green-Lagrange strain.",
                     parameter.free.name, strain, stretch, strain_at(stretch, StrainMeasure::true_strain),
                     strain_at(stretch, StrainMeasure::green_lagrange)));
+  }
+}
+
+// The length beside the spheres of its material, and the meshes that it makes.
+void erosion_length_in_radii(const CalibrationJob& job, const HypothesisResult& result,
+                             std::vector<std::string>& sentences) {
+  if (!has_erosion_length(job) || result.minima.empty()) return;
+  const Hypothesis& hypothesis = job.hypotheses[result.index];
+  const auto natural = natural_values(job, hypothesis, result.parameters, result.minima.front().searched);
+  for (std::size_t m = 0; m < job.materials.size(); ++m) {
+    double least = INFINITY, most = 0;
+    const double length = *material_at(job, hypothesis, static_cast<int>(m), natural).erosion_length;
+    for (const MeasuredShot& shot : job.shots) {
+      if (shot.material != static_cast<int>(m)) continue;
+      least = std::min(least, length / shot.radius);
+      most = std::max(most, length / shot.radius);
+    }
+    if (most == 0) continue;
+    const double elements = job.training.verify;
+    sentences.push_back(fmt::format(
+        "Erosion of {} is judged over {}: {:.2g} to {:.2g} radii of its spheres, with {:g} elements in it on the "
+        "finest mesh, {:.3g} to {:.3g} per radius.{}",
+        job.materials[m].name, page::length(length, 3), least, most, elements, elements / most, elements / least,
+        most > 1 ? " Over more than one radius, the average hardly tells the tip of the channel from its wall." : ""));
   }
 }
 
@@ -91,6 +117,7 @@ std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const Jo
                                              const HypothesisResult& result) {
   std::vector<std::string> sentences = findings(fit.problem, fit.minima, result.intervals);
   erosion_in_other_measures(job, fit, result, sentences);
+  erosion_length_in_radii(job, result, sentences);
   moduli_beside_curves(job.hypotheses[result.index], result, sentences);
   scatter_alone(job, fit, sentences);
   mesh_error(result, sentences);
@@ -135,9 +162,9 @@ void fresh_against_emulated(const CalibrationJob& job, const CalibrationResult& 
     if (count == 0) continue;
     const double off = spread(hypothesis.fresh);
     sentences.push_back(fmt::format(
-        "\"{}\": {} fresh runs on {} elements per radius lie {:.2g} of the emulator's stated errors from "
+        "\"{}\": {} fresh runs on {} {} lie {:.2g} of the emulator's stated errors from "
         "it (1 is right{}) and {} from the measured depths{}.",
-        job.hypotheses[hypothesis.index].name, count, job.training.verify, off,
+        job.hypotheses[hypothesis.index].name, count, job.training.verify, mesh_words(job), off,
         off > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
         page::percent(hypothesis.fresh_deviation), failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
   }

@@ -116,8 +116,10 @@ std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, c
   const Hypothesis& read = job.hypotheses[hypothesis];
   const auto natural = natural_values(job, read, model.of_job, fit.at);
   std::vector<Problem> problems;
-  for (const MeasuredShot& shot : shots_of(job, fit.shots))
-    problems.push_back(shot_problem(job, shot, material_at(job, read, shot.material, natural), job.training.verify));
+  for (const MeasuredShot& shot : shots_of(job, fit.shots)) {
+    const MaterialAt material = material_at(job, read, shot.material, natural);
+    problems.push_back(shot_problem(job, shot, material, mesh_of(shot, material, job.training.verify)));
+  }
   return problems;
 }
 
@@ -133,7 +135,11 @@ std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int hypothesis, cons
   std::vector<FreshRun> fresh;
   for (std::size_t k = 0; k < fit.shots.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    FreshRun run{.shot = fit.shots[k], .elements_per_radius = job.training.verify, .depth = {}, .outcome = "stopped"};
+    FreshRun run{.shot = fit.shots[k],
+                 .elements_per_radius = problems[k].elements_per_radius,
+                 .depth = {},
+                 .outcome = "stopped"};
+    if (has_erosion_length(job)) run.elements_in_length = job.training.verify;
     run.emulated = std::exp(emulated.value[i]);
     std::vector<double> depths;
     for (const Evaluation& evaluation : runs[k]) {

@@ -13,7 +13,8 @@
 
 namespace percal {
 
-enum class ParameterKind { modulus, exponent, erosion_strain };  // mu as given (Pa), alpha, erosion strain
+// mu as given (Pa), alpha, erosion strain, the length over which erosion is judged (m)
+enum class ParameterKind { modulus, exponent, erosion_strain, erosion_length };
 
 struct CalibrationParameter {
   ParameterKind kind = ParameterKind::modulus;
@@ -30,6 +31,7 @@ struct CalibrationMaterial {
   std::string name;
   double density = 0;  // kg/m3
   MaterialNumber mu, alpha, erosion_strain;
+  std::optional<MaterialNumber> erosion_length = {};  // all materials of a job have one, or none has
   std::optional<double>
       rate_factor;  // high-rate over quasi-static modulus: the quasi-static moduli are reported where it is there
   double rate_factor_error = 0;         // relative standard deviation
@@ -101,13 +103,14 @@ struct PublishedPairs {
 
 // How runs are spent on the emulator.
 struct TrainingSettings {
-  double coarse = 8, fine = 16, verify = 20;  // elements per radius; training runs draw theirs about the first two
-  int initial = 160;                          // runs of the first, space-filling design, coarse
-  int batch = 40;                             // runs of each later round
-  int most = 900;                             // runs altogether, for each emulator
-  double fine_share = 0.25;                   // of each round
-  double accuracy = 0.2;                      // stop where the emulator's error is below this share of the data's
-  double failures_tolerated = 0.5;            // share of runs without a depth; above it the job stops and says why
+  // Elements per radius, or in the erosion length where the materials have one; training runs draw theirs about the first two.
+  double coarse = 8, fine = 16, verify = 20;
+  int initial = 160;                // runs of the first, space-filling design, coarse
+  int batch = 40;                   // runs of each later round
+  int most = 900;                   // runs altogether, for each emulator
+  double fine_share = 0.25;         // of each round
+  double accuracy = 0.2;            // stop where the emulator's error is below this share of the data's
+  double failures_tolerated = 0.5;  // share of runs without a depth; above it the job stops and says why
   int verify_replicates = usual_replicates;
   unsigned seed = 20090401;  // of points drawn from the data, and of the phases of the training meshes
 };
@@ -130,6 +133,16 @@ struct CalibrationJob {
   double level = 0.95;
   int bootstrap = 200;
 };
+
+// Whether erosion is judged over a length. The same share of it is then an element for spheres of every size.
+inline bool has_erosion_length(const CalibrationJob& job) {
+  return !job.materials.empty() && job.materials.front().erosion_length;
+}
+
+// What the training meshes count.
+inline const char* mesh_words(const CalibrationJob& job) {
+  return has_erosion_length(job) ? "elements in the erosion length" : "elements per radius";
+}
 
 // Throws BadInput for everything that is wrong with the job and its tables.
 CalibrationJob read_calibration_job(const std::string& path);

@@ -64,7 +64,7 @@ std::vector<Advice> advise(const CalibrationJob& job, const JobModel& model, con
   // A curve gives a material's modulus and exponent directly.
   for (std::size_t k = 0; k < fit.of_model.size(); ++k) {
     const auto& parameter = job.parameters[model.of_job[fit.of_model[k]]];
-    if (parameter.kind == ParameterKind::erosion_strain) continue;
+    if (parameter.kind != ParameterKind::modulus && parameter.kind != ParameterKind::exponent) continue;
     VectorXd gradient = VectorXd::Zero(static_cast<Eigen::Index>(fit.of_model.size()));
     gradient[static_cast<Eigen::Index>(k)] = 1;
     const bool modulus = parameter.kind == ParameterKind::modulus;

@@ -53,6 +53,7 @@ struct FreshRun {
   std::string outcome;
   double emulated = 0;      // m, on the same mesh
   double standardised = 0;  // (ln depth - ln emulated) over the emulator's standard deviation, noise included
+  std::optional<double> elements_in_length = {};  // in the erosion length, where there is one
 };
 
 struct CrossValidationResult {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/campaign/sphere_runs.hpp"
+
 namespace percal {
 namespace {
 
@@ -40,8 +42,13 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
                 .mu_true = 0,
                 .alpha = number_at(m.alpha, natural),
                 .erosion_strain = number_at(m.erosion_strain, natural)};
+  if (m.erosion_length) at.erosion_length = number_at(*m.erosion_length, natural);
   at.mu_true = true_modulus(at.mu_as_given, at.alpha, hypothesis.convention);
   return at;
+}
+
+double mesh_of(const MeasuredShot& shot, const MaterialAt& material, double elements) {
+  return material.erosion_length ? elements * shot.radius / *material.erosion_length : elements;
 }
 
 Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
@@ -59,6 +66,7 @@ Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const Mate
                   .depth = shot.layer_depth,
                   .width = shot.layer_width,
                   .erosion = StrainErosion{material.erosion_strain, StrainMeasure::engineering}};
+  if (material.erosion_length) scene.target.erosion_average = AverageWithin{*material.erosion_length};
   scene.mesh.elements_per_radius = elements_per_radius;
   scene.solver = job.solver;
   return scene;
@@ -72,21 +80,24 @@ Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const 
 ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material) {
   const double pi4 = material.density * shot.speed * shot.speed / material.mu_true;
   const auto [bulk, slope] = chosen_bulk(pi4);
+  const auto in_radii = material.erosion_length ? std::optional(*material.erosion_length / shot.radius) : std::nullopt;
   ShotInputs inputs;
   inputs.at = {.log_pi4 = std::log(pi4),
                .log_pi5 = std::log(material.density / shot.density),
                .alpha = material.alpha,
                .erosion_strain = material.erosion_strain,
                .log_layer_depth = std::log(shot.layer_depth / shot.radius),
-               .log_bulk_ratio = std::log(bulk)};
+               .log_bulk_ratio = std::log(bulk),
+               .log_erosion_length = log_erosion_length(in_radii)};
   Eigen::Vector<double, sphere_inputs> by_log_pi4 = Eigen::Vector<double, sphere_inputs>::Zero();
   by_log_pi4[index_of(&SphereInputs::log_pi4)] = 1;
   by_log_pi4[index_of(&SphereInputs::log_bulk_ratio)] = slope;
-  enum { log_mu, alpha, erosion_strain };
+  enum { log_mu, alpha, erosion_strain, log_length };
   inputs.by_material.setZero();
   inputs.by_material.col(log_mu) = -by_log_pi4;
   inputs.by_material(index_of(&SphereInputs::alpha), alpha) = 1;
   inputs.by_material(index_of(&SphereInputs::erosion_strain), erosion_strain) = 1;
+  if (in_radii) inputs.by_material(index_of(&SphereInputs::log_erosion_length), log_length) = 1;
   inputs.by_log_speed = 2 * by_log_pi4;
   return inputs;
 }

@@ -1,6 +1,7 @@
 // One shot of a job at one set of material numbers: as a dimensionless problem to run, and as inputs of the emulator.
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "percal/calibrate/job.hpp"
@@ -19,10 +20,14 @@ struct MaterialAt {
   double mu_as_given = 0;  // Pa
   double mu_true = 0;      // Pa
   double alpha = 0;
-  double erosion_strain = 0;  // engineering: the critical stretch less 1
+  double erosion_strain = 0;                  // engineering: the critical stretch less 1
+  std::optional<double> erosion_length = {};  // m
 };
 MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
                        const std::vector<double>& natural);
+
+// Elements per radius of a mesh with so many elements in the material's erosion length, or per radius where it has none.
+double mesh_of(const MeasuredShot& shot, const MaterialAt& material, double elements);
 
 // The run that answers for a shot, in SI and without dimensions. A sphere is rigid, as in every published run; K/mu keeps the
 // Mach number below 0.3.
@@ -35,7 +40,7 @@ Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const 
 // differentiated. With their derivatives.
 struct ShotInputs {
   SphereInputs at;
-  Eigen::Matrix<double, sphere_inputs, 3> by_material;  // ln mu_true, alpha, erosion strain
+  Eigen::Matrix<double, sphere_inputs, 4> by_material;  // ln mu_true, alpha, erosion strain, ln erosion length
   Eigen::Vector<double, sphere_inputs> by_log_speed;
 };
 ShotInputs shot_inputs(const MeasuredShot& shot, const MaterialAt& material);

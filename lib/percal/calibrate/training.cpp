@@ -8,6 +8,7 @@
 
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/campaign/sphere_runs.hpp"
+#include "percal/invert/depth_covariance.hpp"
 #include "percal/math/draws.hpp"
 #include "percal/problem/replicates.hpp"
 #include "percal/text/sha256.hpp"
@@ -21,9 +22,7 @@ constexpr double near_enough = 0.7;   // of ln depth from the measured one
 constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
 constexpr int smallest_training = 24;
 constexpr int most_foreign = 600;
-constexpr double coarsest_foreign = 6;  // elements per radius that are fine enough for any job
-
-double element_size(double elements_per_radius) { return 1.0 / elements_per_radius; }
+constexpr double coarsest_foreign = 6;  // elements, as the job's settings count them, that are fine enough for any job
 
 }  // namespace
 
@@ -54,14 +53,14 @@ std::vector<Problem> Training::space_filling_batch(int count) {
     const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
     const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
     const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
-    const double mesh =
-        drawn_mesh(fine ? job_.training.fine : job_.training.coarse, job_.training.seed, next_point_ + k);
+    const double mesh = mesh_of(shot, material, fine ? job_.training.fine : job_.training.coarse);
+    Problem problem = shot_problem(job_, shot, material, drawn_mesh(mesh, job_.training.seed, next_point_ + k));
     if (emulator_) {
-      const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(mesh), true);
+      const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(problem), true);
       const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
       if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
     }
-    batch.push_back(shot_problem(job_, shot, material, mesh));
+    batch.push_back(std::move(problem));
   }
   next_point_ += k;
   return batch;
@@ -92,8 +91,8 @@ void Training::add_round(const std::vector<Target>& targets, const std::vector<C
   const auto choose = [&](Problem Candidate::*mesh, int runs) {
     std::vector<Emulator::CandidateRun> on_mesh;
     for (const Candidate& candidate : candidates)
-      on_mesh.push_back({inputs_of(candidate.*mesh), element_size((candidate.*mesh).elements_per_radius), 1});
-    for (int k : emulator_->choose(on_mesh, runs, at, weights, element_size(job_.training.verify)))
+      on_mesh.push_back({inputs_of(candidate.*mesh), element_size(candidate.*mesh), 1});
+    for (int k : emulator_->choose(on_mesh, runs, at, weights, 1 / job_.training.verify))
       batch.push_back(candidates[static_cast<std::size_t>(k)].*mesh);
   };
   choose(&Candidate::fine, fine);
@@ -137,7 +136,8 @@ void Training::run(const std::vector<Problem>& problems) {
 
 void Training::learn() {
   if (runs_.size() < smallest_training) return;
-  const bool search = !emulator_ || static_cast<double>(runs_.size()) >= search_again * searched_at_;
+  const bool search = !emulator_ || static_cast<double>(runs_.size()) >= search_again * searched_at_ ||
+                      emulator_->settings().inputs() != scale_of(runs_).inputs();
   if (search) searched_at_ = static_cast<int>(runs_.size());
   EmulatorOptions options;
   emulator_.emplace(search ? Emulator(runs_, options) : Emulator(runs_, emulator_->settings()));
@@ -153,11 +153,14 @@ void Training::take_foreign_runs() {
   std::vector<double> natural;
   for (const auto& parameter : job_.parameters) natural.push_back(std::sqrt(parameter.free.low * parameter.free.high));
   const MeasuredShot& shot = job_.shots.front();
+  const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
   const std::string setting =
-      setting_of(shot_problem(job_, shot, material_at(job_, hypothesis_, shot.material, natural), 8));
+      setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
   const auto usable = [&](const StoredSphere& s) {
     return s.depth_over_radius && setting_of(s.problem) == setting &&
-           s.problem.elements_per_radius >= std::min(job_.training.coarse, coarsest_foreign) - phase_span / 2;
+           s.problem.elements_per_radius >=
+               std::min(job_.training.coarse, coarsest_foreign) / erosion_length(s.problem).value_or(1) -
+                   phase_span / 2;
   };
   if (!store_->note(name)) {
     std::string keys;

@@ -43,6 +43,17 @@ std::vector<StoredSphere> stored_spheres(const Store& store) {
   return spheres;
 }
 
+std::optional<double> erosion_length(const Problem& problem) {
+  const auto* average = std::get_if<AverageWithin>(&problem.erosion_average);
+  return average ? std::optional(average->length) : std::nullopt;
+}
+
+double log_erosion_length(const std::optional<double>& radii) { return radii ? std::log(*radii) : 0; }
+
+double element_size(const Problem& problem) {
+  return 1.0 / problem.elements_per_radius / erosion_length(problem).value_or(1);
+}
+
 SphereInputs inputs_of(const Problem& p) {
   const auto& erosion = std::get<StrainErosion>(p.erosion);
   const double strain = strain_at(stretch_at(erosion.limit, erosion.measure), StrainMeasure::engineering);
@@ -52,7 +63,8 @@ SphereInputs inputs_of(const Problem& p) {
           .alpha = p.alpha,
           .erosion_strain = strain,
           .log_layer_depth = std::log(p.depth),
-          .log_bulk_ratio = std::log(p.bulk_ratio)};
+          .log_bulk_ratio = std::log(p.bulk_ratio),
+          .log_erosion_length = log_erosion_length(erosion_length(p))};
 }
 
 // The key of the problem with everything that an emulator knows of set to 1.
@@ -60,13 +72,14 @@ std::string setting_of(const Problem& problem) {
   Problem plain = problem;
   plain.pi4 = plain.density_ratio = plain.alpha = plain.depth = plain.bulk_ratio = plain.speed_factor = 1;
   plain.erosion = StrainErosion{1};
+  if (erosion_length(problem)) plain.erosion_average = AverageWithin{1};
   if (plain.graded_columns == usual_graded_columns(plain)) plain.graded_columns = 0;
   plain.elements_per_radius = 1;
   return evaluation_key(plain, "any");
 }
 
 TrainingRun training_run(const Problem& problem, double depth_over_radius) {
-  return {.at = inputs_of(problem), .h = 1.0 / problem.elements_per_radius, .log_depth = std::log(depth_over_radius)};
+  return {.at = inputs_of(problem), .h = element_size(problem), .log_depth = std::log(depth_over_radius)};
 }
 
 }  // namespace percal

@@ -24,11 +24,20 @@ std::vector<StoredSphere> stored_spheres(const Store& store);
 // What their keys begin with.
 std::string stored_spheres_prefix();
 
+// Radii: over which erosion is judged; nothing where each element is judged by itself.
+std::optional<double> erosion_length(const Problem& problem);
+
+// The emulator's input for it: ln(l/a), 0 where there is none.
+double log_erosion_length(const std::optional<double>& radii);
+
+// The side of an element over that length, over the radius where there is none: TrainingRun::h.
+double element_size(const Problem& problem);
+
 // Of a problem with StrainErosion. The strain is the engineering one, whatever the problem's measure: a limit is a critical stretch. A
 // replicate's speed f v is the speed: pi4 f^2.
 SphereInputs inputs_of(const Problem& problem);
 
-// Whatever else decides the depth, but the size of the elements: two problems with the same text belong to one emulator. Contact,
+// Whatever else decides the depth, but the sizes of the elements and of an erosion length: two problems with the same text belong to one emulator. Contact,
 // wall and bottom, viscosities, arithmetic, the solver's version, ... Of a problem with StrainErosion; its measure is not in it.
 std::string setting_of(const Problem& problem);
 

@@ -17,6 +17,10 @@ constexpr double negligible = 0.05;  // component of a combination, of its large
 
 std::string quantity(const FreeParameter& free, double natural) {
   if (free.unit.empty()) return fmt::format("{:.3g}", natural);
+  if (free.unit == "m") {
+    const bool small = natural < 1e-4;
+    return fmt::format("{:.3g} {}", natural * (small ? 1e6 : 1e3), small ? "um" : "mm");
+  }
   if (free.unit != "Pa") return fmt::format("{:.3g} {}", natural, free.unit);
   return natural >= 1e6 ? fmt::format("{:.3g} MPa", natural / 1e6) : fmt::format("{:.3g} kPa", natural / 1e3);
 }

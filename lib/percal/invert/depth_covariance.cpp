@@ -54,11 +54,13 @@ Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_feat
 }
 
 Eigen::VectorXd InputScale::scaled(const SphereInputs& at) const {
-  return (depth_features(at) - centre).cwiseQuotient(half_range);
+  return (depth_features(at).head(inputs()) - centre).cwiseQuotient(half_range);
 }
 
 Eigen::VectorXd InputScale::unscaled_gradient(const SphereInputs& at, const Eigen::VectorXd& by_scaled) const {
-  return by_inputs(at, by_scaled.cwiseQuotient(half_range));
+  Eigen::VectorXd by_features = Eigen::VectorXd::Zero(sphere_inputs);
+  by_features.head(inputs()) = by_scaled.cwiseQuotient(half_range);
+  return by_inputs(at, by_features);
 }
 
 InputScale scale_of(const std::vector<TrainingRun>& runs) {
@@ -69,19 +71,23 @@ InputScale scale_of(const std::vector<TrainingRun>& runs) {
     high = high.cwiseMax(features);
   }
   InputScale scale{0.5 * (low + high), 0.5 * (high - low)};
-  for (int j = 0; j < sphere_inputs; ++j)
-    if (!(scale.half_range[j] > smallest_range * (1 + std::abs(scale.centre[j])))) scale.half_range[j] = 1;
-  return scale;
+  const auto varies = [&](int j) { return scale.half_range[j] > smallest_range * (1 + std::abs(scale.centre[j])); };
+  const int seen = varies(index_of(&SphereInputs::log_erosion_length)) ? sphere_inputs : inputs_without_length;
+  for (int j = 0; j < seen; ++j)
+    if (!varies(j)) scale.half_range[j] = 1;
+  return {scale.centre.head(seen), scale.half_range.head(seen)};
 }
 
 CovarianceParameters covariance_parameters(const EmulatorSettings& settings, const InputScale& scale) {
   CovarianceParameters parameters;
+  parameters.length.resize(scale.inputs());
+  parameters.mesh_length.resize(scale.inputs());
   parameters.amplitude = settings.amplitude;
   parameters.mesh_amplitude = settings.mesh_amplitude;
   parameters.mesh_order = settings.mesh_order;
   parameters.noise = settings.noise;
   parameters.noise_order = settings.noise_order;
-  for (int j = 0; j < sphere_inputs; ++j) {
+  for (int j = 0; j < scale.inputs(); ++j) {
     parameters.length[j] = settings.length[j] / scale.half_range[j];
     parameters.mesh_length[j] = settings.mesh_length[j] / scale.half_range[j];
   }
@@ -138,7 +144,8 @@ DepthCovariance::WeightedSum DepthCovariance::weighted_sum(const Eigen::VectorXd
   // factor sum_i w_i c(s_i), with ds_i/dx_j = 2 (x_j - x_ij)/length_j^2.
   const auto add_smooth = [&](double factor, const Eigen::VectorXd& w, const Eigen::VectorXd& length) {
     Eigen::ArrayXd s = Eigen::ArrayXd::Zero(runs.inputs.rows());
-    for (int j = 0; j < sphere_inputs; ++j) s += ((runs.inputs.col(j).array() - at[j]) / length[j]).square();
+    for (Eigen::Index j = 0; j < runs.inputs.cols(); ++j)
+      s += ((runs.inputs.col(j).array() - at[j]) / length[j]).square();
     sum.value += factor * w.dot(Correlation::value(s).matrix());
     const Eigen::VectorXd slopes = w.array() * Correlation::slope(s);
     const Eigen::VectorXd towards = slopes.sum() * at - runs.inputs.transpose() * slopes;
@@ -170,7 +177,7 @@ CovarianceParameters DepthCovariance::contracted_gradient(const MeshPoints& runs
   gradient.noise_order = 2 * (noise_terms * runs.h.array().log()).sum();
 
   gradient.mesh_amplitude = gradient.mesh_order = 0;
-  gradient.mesh_length.setZero();
+  gradient.mesh_length.setZero(runs.inputs.cols());
   if (!has_mesh()) return gradient;
   const Eigen::VectorXd factors = mesh_factors(runs.h);
   const Eigen::ArrayXXd mesh_s = scaled_squared_distances(runs.inputs, runs.inputs, p.mesh_length);

@@ -23,17 +23,19 @@ Eigen::VectorXd depth_features(const SphereInputs& at);
 Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features);
 
 // The features are shifted and scaled so that those of the runs lie in [-1, 1]. One that never varies keeps its
-// own unit. "Inputs" below are these scaled features.
+// own unit, but for the erosion length, which then is left out. "Inputs" below are these scaled features.
 struct InputScale {
-  Eigen::VectorXd centre, half_range;  // sphere_inputs
+  Eigen::VectorXd centre, half_range;  // of inputs()
+
+  int inputs() const { return static_cast<int>(centre.size()); }
 
   Eigen::VectorXd scaled(const SphereInputs& at) const;
-  // With respect to the inputs themselves.
+  // With respect to the sphere_inputs themselves.
   Eigen::VectorXd unscaled_gradient(const SphereInputs& at, const Eigen::VectorXd& by_scaled) const;
 };
 InputScale scale_of(const std::vector<TrainingRun>& runs);
 
-// Points with the meshes they are seen on: scaled inputs (points x sphere_inputs), and h / 0.1.
+// Points with the meshes they are seen on: scaled inputs (points x inputs), and h / 0.1.
 struct MeshPoints {
   Eigen::MatrixXd inputs;
   Eigen::VectorXd h;

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double normal95 = 1.959963984540054;
 constexpr double equal_gains = 1e-9;  // gains that differ by less differ by rounding: the first counts
-constexpr int fewest_runs = 2 * sphere_inputs;
 
 const std::vector<TrainingRun>& checked(const std::vector<TrainingRun>& runs) {
-  if (static_cast<int>(runs.size()) < fewest_runs)
-    throw BadInput({}, fmt::format("{} runs to learn from", runs.size()), fmt::format("{} or more", fewest_runs));
+  if (static_cast<int>(runs.size()) < fewest_training_runs)
+    throw BadInput({}, fmt::format("{} runs to learn from", runs.size()),
+                   fmt::format("{} or more", fewest_training_runs));
   for (const TrainingRun& run : runs) {
     if (!in_order(run.at).allFinite() || !std::isfinite(run.log_depth) || !std::isfinite(run.h) || !(run.h > 0) ||
         !(run.at.erosion_strain > 0))
@@ -55,7 +55,7 @@ struct Emulator::State {
         process(conditioned(covariance, data)) {}
 
   MeshPoints points(const std::vector<SphereInputs>& at, double h) const {
-    MeshPoints points{Eigen::MatrixXd(at.size(), sphere_inputs),
+    MeshPoints points{Eigen::MatrixXd(at.size(), data.scale.inputs()),
                       Eigen::VectorXd::Constant(static_cast<Eigen::Index>(at.size()), h / reference_h)};
     for (std::size_t i = 0; i < at.size(); ++i) points.inputs.row(i) = data.scale.scaled(at[i]).transpose();
     return points;

@@ -14,17 +14,21 @@ struct SphereInputs {
   double log_pi4 = 0;  // ln(rho_t v^2/mu)
   double log_pi5 = 0;  // ln(rho_t/rho_p)
   double alpha = 0;
-  double erosion_strain = 0;   // engineering, the critical stretch less 1: above 0
-  double log_layer_depth = 0;  // ln(L/a)
-  double log_bulk_ratio = 0;   // ln(K/mu)
+  double erosion_strain = 0;      // engineering, the critical stretch less 1: above 0
+  double log_layer_depth = 0;     // ln(L/a)
+  double log_bulk_ratio = 0;      // ln(K/mu)
+  double log_erosion_length = 0;  // ln(l/a); 0 where each element is judged by itself
   bool operator==(const SphereInputs&) const = default;
 };
 
 // Their order in vectors, lengths and gradients.
-inline constexpr std::array sphere_input_order{&SphereInputs::log_pi4,         &SphereInputs::log_pi5,
-                                               &SphereInputs::alpha,           &SphereInputs::erosion_strain,
-                                               &SphereInputs::log_layer_depth, &SphereInputs::log_bulk_ratio};
+inline constexpr std::array sphere_input_order{
+    &SphereInputs::log_pi4,           &SphereInputs::log_pi5,         &SphereInputs::alpha,
+    &SphereInputs::erosion_strain,    &SphereInputs::log_layer_depth, &SphereInputs::log_bulk_ratio,
+    &SphereInputs::log_erosion_length};
 inline constexpr int sphere_inputs = sphere_input_order.size();
+// The first so many are of every sphere; the last belongs to those alone that are judged over a length.
+inline constexpr int inputs_without_length = sphere_inputs - 1;
 constexpr int index_of(double SphereInputs::*input) {
   int k = 0;
   while (sphere_input_order[k] != input) ++k;
@@ -35,22 +39,24 @@ Eigen::VectorXd in_order(const SphereInputs& at);
 // A finished run that the emulator learns from.
 struct TrainingRun {
   SphereInputs at;
-  double h = 0.1;        // element size over radius: 1 / elements_per_radius
+  double h = 0.1;        // element size over radius, or over the erosion length where there is one
   double log_depth = 0;  // ln(depth / radius) of a run that stopped
 };
 
 // What the hyperparameter search found. Lengths are in units of the inputs; the first is of ln pi4 at constant alpha and strain,
 // see depth_covariance.hpp.
 struct EmulatorSettings {
-  double amplitude = 1;  // standard deviation of the smooth part
-  std::array<double, sphere_inputs> length{};
-  double mesh_amplitude = 0;  // of the part that the mesh adds, at h = 0.1
+  double amplitude = 1;                        // standard deviation of the smooth part
+  std::array<double, sphere_inputs> length{};  // 0 of an erosion length that no run varies
+  double mesh_amplitude = 0;                   // of the part that the mesh adds, at h = 0.1
   std::array<double, sphere_inputs> mesh_length{};
   double mesh_order = 1;   // it goes as h^order
   double noise = 0.015;    // the solver's own, standard deviation of ln depth (the nugget), at h = 0.1
   double noise_order = 0;  // noise goes as h^order
   double log_likelihood = 0;
   int evaluations = 0;  // of the likelihood
+
+  int inputs() const { return length.back() > 0 ? sphere_inputs : inputs_without_length; }
 };
 
 struct EmulatorOptions {
@@ -61,7 +67,7 @@ struct EmulatorOptions {
 // Of the smooth depth, without the solver's noise.
 struct DepthAnswers {
   Eigen::VectorXd log_depth;
-  Eigen::MatrixXd gradient;    // points x sphere_inputs
+  Eigen::MatrixXd gradient;    // points x sphere_inputs; 0 by an erosion length that no run varies
   Eigen::MatrixXd covariance;  // points x points; empty where not wanted
 };
 
@@ -73,12 +79,14 @@ struct LeaveOneOut {
   double coverage95 = 0;              // share within the stated 95 %
 };
 
-// Elements per radius: runs no further apart are on one mesh, in different phases, and tell nothing of the element size.
+// Elements per radius, or per erosion length: runs no further apart are on one mesh, in different phases, and tell nothing of the element size.
 inline constexpr double one_mesh_span = 1.7 * (1 + 1e-9);
+
+inline constexpr int fewest_training_runs = 2 * inputs_without_length;
 
 class Emulator {
  public:
-  // The same runs in the same order give the same bits. Throws BadInput for fewer than 2 * sphere_inputs runs.
+  // The same runs in the same order give the same bits. Throws BadInput for fewer than fewest_training_runs.
   Emulator(std::vector<TrainingRun> runs, const EmulatorOptions& options);
   // As before, with settings that are known: no search.
   Emulator(std::vector<TrainingRun> runs, const EmulatorSettings& settings);

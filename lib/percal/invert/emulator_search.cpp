@@ -33,61 +33,59 @@ struct Belief {
   double centre, deviation, low, high;
 };
 
-// Logarithms of amplitudes, lengths (of scaled inputs) and noise, and the two orders as they are.
-enum Hyperparameter {
-  amplitude,
-  length,
-  noise = length + sphere_inputs,
-  parameters_on_one_mesh,
-  noise_order = parameters_on_one_mesh,
-  mesh_amplitude,
-  mesh_length,
-  mesh_order = mesh_length + sphere_inputs,
-  parameters_on_several_meshes
+// Where a search over so many inputs has what: logarithms of amplitudes, lengths (of scaled inputs) and noise, and the two orders
+// as they are. Those from noise_order on are looked for on several meshes alone.
+struct SearchOrder {
+  int inputs;
+  static constexpr int amplitude = 0, length = 1;
+  int noise = length + inputs, noise_order = noise + 1, mesh_amplitude = noise_order + 1,
+      mesh_length = mesh_amplitude + 1, mesh_order = mesh_length + inputs;
+
+  int size(bool several_meshes) const { return (several_meshes ? mesh_order : noise) + 1; }
 };
 
 // docs/theory/emulator.md (9)
-std::vector<Belief> beliefs(double roughness, double whole_spread, bool several_meshes) {
+std::vector<Belief> beliefs(const SearchOrder& o, double roughness, double whole_spread, bool several_meshes) {
   const double size = std::log(roughness);
   const auto by_size = [&](double factor, double deviation) {
     return Belief{size + std::log(factor), deviation, size + std::log(1e-2), size + std::log(1e2)};
   };
-  std::vector<Belief> all(several_meshes ? parameters_on_several_meshes : parameters_on_one_mesh);
-  all[amplitude] = by_size(2, 1.5);
-  all[noise] = {size + std::log(0.3), 2, std::log(smallest_noise * whole_spread), size + std::log(2)};
-  for (int j = 0; j < sphere_inputs; ++j) all[length + j] = {std::log(2), 1, std::log(0.1), std::log(50)};
+  std::vector<Belief> all(o.size(several_meshes));
+  all[o.amplitude] = by_size(2, 1.5);
+  all[o.noise] = {size + std::log(0.3), 2, std::log(smallest_noise * whole_spread), size + std::log(2)};
+  for (int j = 0; j < o.inputs; ++j) all[o.length + j] = {std::log(2), 1, std::log(0.1), std::log(50)};
   if (!several_meshes) return all;
-  all[noise_order] = {0.5, 0.5, 0, 2};
-  all[mesh_amplitude] = by_size(0.3, 1.5);
-  for (int j = 0; j < sphere_inputs; ++j) all[mesh_length + j] = {std::log(3), 0.7, std::log(0.3), std::log(50)};
-  all[mesh_order] = {1, 0.3, 0.3, 2.5};
+  all[o.noise_order] = {0.5, 0.5, 0, 2};
+  all[o.mesh_amplitude] = by_size(0.3, 1.5);
+  for (int j = 0; j < o.inputs; ++j) all[o.mesh_length + j] = {std::log(3), 0.7, std::log(0.3), std::log(50)};
+  all[o.mesh_order] = {1, 0.3, 0.3, 2.5};
   return all;
 }
 
-CovarianceParameters parameters_at(const std::vector<double>& searched) {
+CovarianceParameters parameters_at(const SearchOrder& o, const std::vector<double>& searched) {
   const Eigen::Map<const Eigen::VectorXd> x(searched.data(), static_cast<Eigen::Index>(searched.size()));
   CovarianceParameters p;
-  p.amplitude = std::exp(x[amplitude]);
-  p.length = x.segment(length, sphere_inputs).array().exp();
-  p.noise = std::exp(x[noise]);
-  if (x.size() == parameters_on_one_mesh) return p;
-  p.noise_order = x[noise_order];
-  p.mesh_amplitude = std::exp(x[mesh_amplitude]);
-  p.mesh_length = x.segment(mesh_length, sphere_inputs).array().exp();
-  p.mesh_order = x[mesh_order];
+  p.amplitude = std::exp(x[o.amplitude]);
+  p.length = x.segment(o.length, o.inputs).array().exp();
+  p.noise = std::exp(x[o.noise]);
+  if (x.size() == o.size(false)) return p;
+  p.noise_order = x[o.noise_order];
+  p.mesh_amplitude = std::exp(x[o.mesh_amplitude]);
+  p.mesh_length = x.segment(o.mesh_length, o.inputs).array().exp();
+  p.mesh_order = x[o.mesh_order];
   return p;
 }
 
-Eigen::VectorXd in_search_order(const CovarianceParameters& gradient, Eigen::Index size) {
+Eigen::VectorXd in_search_order(const SearchOrder& o, const CovarianceParameters& gradient, Eigen::Index size) {
   Eigen::VectorXd g(size);
-  g[amplitude] = gradient.amplitude;
-  g.segment(length, sphere_inputs) = gradient.length;
-  g[noise] = gradient.noise;
-  if (size == parameters_on_one_mesh) return g;
-  g[noise_order] = gradient.noise_order;
-  g[mesh_amplitude] = gradient.mesh_amplitude;
-  g.segment(mesh_length, sphere_inputs) = gradient.mesh_length;
-  g[mesh_order] = gradient.mesh_order;
+  g[o.amplitude] = gradient.amplitude;
+  g.segment(o.length, o.inputs) = gradient.length;
+  g[o.noise] = gradient.noise;
+  if (size == o.size(false)) return g;
+  g[o.noise_order] = gradient.noise_order;
+  g[o.mesh_amplitude] = gradient.mesh_amplitude;
+  g.segment(o.mesh_length, o.inputs) = gradient.mesh_length;
+  g[o.mesh_order] = gradient.mesh_order;
   return g;
 }
 
@@ -96,7 +94,11 @@ class Posterior {
  public:
   Posterior(const MeshPoints& points, const Eigen::VectorXd& values, double plane_deviation,
             const std::vector<Belief>& beliefs)
-      : points_(points), values_(values), plane_deviation_(plane_deviation), beliefs_(beliefs) {}
+      : order_{static_cast<int>(points.inputs.cols())},
+        points_(points),
+        values_(values),
+        plane_deviation_(plane_deviation),
+        beliefs_(beliefs) {}
 
   // Climbs from `start`; what was best is best().
   void climb(const std::vector<double>& start, int evaluations) {
@@ -130,7 +132,7 @@ class Posterior {
  private:
   double value(const std::vector<double>& at, std::vector<double>& gradient) {
     ++evaluations_;
-    const DepthCovariance covariance(parameters_at(at), plane_deviation_);
+    const DepthCovariance covariance(parameters_at(order_, at), plane_deviation_);
     const auto process = GaussianProcess::conditioned(covariance.of_runs(points_), values_);
     if (!process) {
       std::ranges::fill(gradient, 0.0);
@@ -146,7 +148,7 @@ class Posterior {
     if (!gradient.empty()) {
       const auto by_parameters = covariance.contracted_gradient(points_, process->likelihood_gradient());
       Eigen::Map<Eigen::VectorXd>(gradient.data(), static_cast<Eigen::Index>(gradient.size())) +=
-          in_search_order(by_parameters, static_cast<Eigen::Index>(gradient.size()));
+          in_search_order(order_, by_parameters, static_cast<Eigen::Index>(gradient.size()));
     }
     if (sum > best_value_) {
       best_value_ = sum;
@@ -156,6 +158,7 @@ class Posterior {
     return sum;
   }
 
+  SearchOrder order_;
   MeshPoints points_;
   Eigen::VectorXd values_;
   double plane_deviation_;
@@ -168,20 +171,20 @@ class Posterior {
 // The scatter about the plane through the runs.
 double roughness_of(const TrainingData& data) {
   const Eigen::Index n = data.values.size();
-  Eigen::MatrixXd plane(n, sphere_inputs + 2);
+  Eigen::MatrixXd plane(n, data.scale.inputs() + 2);
   plane << Eigen::VectorXd::Ones(n), data.points.inputs, data.points.h;
   const Eigen::VectorXd rest = data.values - plane * plane.completeOrthogonalDecomposition().solve(data.values);
   return std::max(spread(rest), smallest_roughness * spread(data.values));
 }
 
 // Smooth and little noise; wavy and little noise; nearly a plane with much noise.
-std::vector<std::vector<double>> starts(const std::vector<Belief>& beliefs) {
+std::vector<std::vector<double>> starts(const SearchOrder& o, const std::vector<Belief>& beliefs) {
   std::vector<double> middle;
   for (const Belief& belief : beliefs) middle.push_back(belief.centre);
   std::vector<double> wavy = middle, plain = middle;
-  for (int j = 0; j < sphere_inputs; ++j) wavy[length + j] -= std::log(3), plain[length + j] += std::log(2);
-  plain[noise] += std::log(2.5);
-  plain[amplitude] -= std::log(4);
+  for (int j = 0; j < o.inputs; ++j) wavy[o.length + j] -= std::log(3), plain[o.length + j] += std::log(2);
+  plain[o.noise] += std::log(2.5);
+  plain[o.amplitude] -= std::log(4);
   return {middle, wavy, plain};
 }
 
@@ -192,7 +195,7 @@ EmulatorSettings in_input_units(const CovarianceParameters& p, const InputScale&
   settings.mesh_order = p.mesh_order;
   settings.noise = p.noise;
   settings.noise_order = p.noise_order;
-  for (int j = 0; j < sphere_inputs; ++j) {
+  for (int j = 0; j < scale.inputs(); ++j) {
     settings.length[j] = p.length[j] * scale.half_range[j];
     settings.mesh_length[j] = p.mesh_length[j] * scale.half_range[j];
   }
@@ -217,7 +220,7 @@ Posterior posterior_of(const TrainingData& data, const std::vector<int>& chosen,
 
 TrainingData::TrainingData(const std::vector<TrainingRun>& runs) : scale(scale_of(runs)) {
   const auto n = static_cast<Eigen::Index>(runs.size());
-  points = {Eigen::MatrixXd(n, sphere_inputs), Eigen::VectorXd(n)};
+  points = {Eigen::MatrixXd(n, scale.inputs()), Eigen::VectorXd(n)};
   values.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     points.inputs.row(i) = scale.scaled(runs[i].at).transpose();
@@ -244,16 +247,17 @@ std::vector<int> runs_for_search(const std::vector<TrainingRun>& runs, int most)
 EmulatorSettings find_settings(const std::vector<TrainingRun>& runs, const EmulatorOptions& options) {
   const TrainingData data(runs);
   const std::vector<int> chosen = runs_for_search(runs, options.most_points_for_search);
-  const auto believed = beliefs(roughness_of(data), spread(data.values), has_several_meshes(runs));
+  const SearchOrder order{data.scale.inputs()};
+  const auto believed = beliefs(order, roughness_of(data), spread(data.values), has_several_meshes(runs));
 
   Posterior first =
       posterior_of(data, runs_for_search(runs, std::min<int>(most_points_for_starts, chosen.size())), believed);
-  for (const auto& start : starts(believed))
+  for (const auto& start : starts(order, believed))
     first.climb(start, std::min(evaluations_of_a_start, options.most_evaluations));
   Posterior second = posterior_of(data, chosen, believed);
   second.climb(first.best(), std::max(1, options.most_evaluations - first.evaluations()));
 
-  EmulatorSettings settings = in_input_units(parameters_at(second.best()), data.scale);
+  EmulatorSettings settings = in_input_units(parameters_at(order, second.best()), data.scale);
   settings.log_likelihood = second.best_likelihood();
   settings.evaluations = first.evaluations() + second.evaluations();
   return settings;

@@ -7,16 +7,13 @@
 #include "percal/problem/domain.hpp"
 
 namespace percal {
-namespace {
 
 // On a coarse mesh the walk must not leave it.
-double span_at(double elements_per_radius) { return std::min(phase_span, elements_per_radius / 2); }
-
-}  // namespace
+double walk_span(double elements_per_radius) { return std::min(phase_span, elements_per_radius / 2); }
 
 double replicate_mesh(double elements_per_radius, int index, int count) {
   const double from_middle = index - (count - 1) / 2.0;
-  return round_to_12_digits(elements_per_radius + from_middle * span_at(elements_per_radius) / count);
+  return round_to_12_digits(elements_per_radius + from_middle * walk_span(elements_per_radius) / count);
 }
 
 double replicate_speed_factor(int step) {
@@ -43,7 +40,7 @@ double drawn_mesh(double elements_per_radius, unsigned seed, int draw) {
   constexpr double golden = std::numbers::phi - 1;
   double whole = 0;
   const double place = std::modf(golden * (static_cast<double>(seed % 1000003U) + draw), &whole);
-  return round_to_12_digits(elements_per_radius + (place - 0.5) * span_at(elements_per_radius));
+  return round_to_12_digits(elements_per_radius + (place - 0.5) * walk_span(elements_per_radius));
 }
 
 }  // namespace percal

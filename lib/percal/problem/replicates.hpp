@@ -14,6 +14,9 @@ inline constexpr double phase_span = 1.7;
 // Replicate middle_replicate(count) is the problem itself where count is odd; the others lie on either side of it.
 constexpr int middle_replicate(int count) { return (count - 1) / 2; }
 
+// The span of a walk about this mesh.
+double walk_span(double elements_per_radius);
+
 // Elements per radius of replicate `index` of `count`.
 double replicate_mesh(double elements_per_radius, int index, int count);
 

@@ -30,9 +30,12 @@ class _Result(Mapping):
         return len(self._result)
 
 
+_UNITS = ("", "_Pa", "_m")  # that a key of a parameter may end in
+
+
 def _in_si(entry, key):
     """The entry under `key` or `key` with a unit: None where there is none."""
-    return next((entry[name] for name in (key, key + "_Pa") if name in entry), None)
+    return next((entry[name] for name in (key + unit for unit in _UNITS) if name in entry), None)
 
 
 def _array(rows, key):
@@ -107,7 +110,7 @@ class Hypothesis:
         self.parameters = {one["name"]: _in_si(one, "value") for one in entry["parameters"]}
         self.intervals = {one["name"]: interval_of(_in_si(one, "interval")) for one in entry["parameters"]}
         self.identifiable = {one["name"]: one["identifiable"] for one in entry["parameters"]}
-        self._is_pressure = {one["name"]: "value_Pa" in one for one in entry["parameters"]}
+        self._units = {one["name"]: next(unit for unit in _UNITS if "value" + unit in one)[1:] for one in entry["parameters"]}
         self.correlation = np.array(entry["correlation"], dtype=float)
         rows = entry["shots"]
         self.shots = {key: _array(rows, key) for key in ("measured_m", "depth_m", "low_m", "high_m", "deviation")}
@@ -120,7 +123,7 @@ class Hypothesis:
     def __repr__(self):
         parts = []
         for name, value in self.parameters.items():
-            unit = "Pa" if self._is_pressure[name] else ""
+            unit = self._units[name]
             text = f"{name} = " + (with_unit(value, unit) if unit else f"{value:.4g}")
             if self.intervals[name]:
                 text += " " + between(self.intervals[name], unit)

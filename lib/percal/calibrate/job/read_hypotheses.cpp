@@ -46,8 +46,7 @@ std::map<int, double> held_from(const TomlTable& block, const CalibrationJob& jo
         .words = fmt::format("a value from {:.6g} to {:.6g}, the parameter's bounds, in {}", parameter.free.low,
                              parameter.free.high, parameter.free.unit.empty() ? "no unit" : parameter.free.unit),
         .in_general = "a value within the parameter's bounds"};
-    const bool modulus = parameter.kind == ParameterKind::modulus;
-    held[*k] = hold->quantity(name, modulus ? dimension::pressure : dimension::none, within);
+    held[*k] = hold->quantity(name, dimension_of(parameter.kind), within);
   }
   if (held.size() == job.parameters.size())
     block.refuse("hold", "every parameter held", "one or more left to be fitted");
@@ -156,6 +155,7 @@ std::set<int> parameters_of(const CalibrationMaterial& material) {
   std::set<int> indices;
   for (const MaterialNumber* number : {&material.mu, &material.alpha, &material.erosion_strain})
     add_index(indices, *number);
+  if (material.erosion_length) add_index(indices, *material.erosion_length);
   return indices;
 }
 
@@ -180,7 +180,7 @@ void check_parameters(const TomlTable& root, const CalibrationJob& job) {
     if (!named.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no material names",
-                  "one that is mu, alpha or erosion_strain of some material");
+                  "one that is mu, alpha, erosion_strain or erosion_length of some material");
     if (!with_data.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no fitted datum depends on",

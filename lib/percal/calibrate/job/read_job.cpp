@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "percal/invert/emulator.hpp"
+#include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
@@ -42,21 +43,23 @@ std::optional<double> percentage(std::string text) {
 }
 
 constexpr int most_runs = 1000000;
-constexpr int least_initial_runs = 2 * sphere_inputs;  // fewer make no emulator
 const Range share{.low = 0, .high = 1, .words = "a share from 0 to 1, as 0.15 or \"15 %\""};
 const Range some_share{
     .low = 0, .high = 1, .low_open = true, .words = "a share above 0 and up to 1, as 0.5 or \"50 %\""};
 
-const std::vector<std::string> kind_words{"modulus", "exponent", "erosion strain"};  // as ParameterKind
-constexpr double smallest_exponent = 1e-3;                                           // the solver divides by it
+// A length must have three elements in it (scene/erosion_length.hpp).
+const Range elements_in_length{.low = 1 / largest_element_in_length,
+                               .high = 1000,
+                               .words = "a number from 3 to 1000, of elements in the erosion length"};
 
-Dimension dimension_of(ParameterKind kind) {
-  return kind == ParameterKind::modulus ? dimension::pressure : dimension::none;
-}
+const std::vector<std::string> kind_words{"modulus", "exponent", "erosion strain",
+                                          "erosion length"};  // as ParameterKind
+constexpr double smallest_exponent = 1e-3;                    // the solver divides by it
 
 Range range_of(ParameterKind kind) {
   if (kind == ParameterKind::modulus) return positive("modulus");
   if (kind == ParameterKind::erosion_strain) return positive("strain");
+  if (kind == ParameterKind::erosion_length) return positive("length");
   return {.low = -100, .high = 100, .words = "an exponent from -100 to 100"};
 }
 
@@ -90,7 +93,7 @@ CalibrationParameter parameter_from(const TomlTable& block, const std::string& n
   const ParameterKind kind = parameter.kind;
   FreeParameter& free = parameter.free;
   free.name = name;
-  free.unit = kind == ParameterKind::modulus ? "Pa" : "";
+  free.unit = kind == ParameterKind::modulus ? "Pa" : kind == ParameterKind::erosion_length ? "m" : "";
   free.logarithmic = kind != ParameterKind::exponent;
   free.low = block.quantity("low", dimension_of(kind), range_of(kind));
   free.high = block.quantity("high", dimension_of(kind), range_of(kind));
@@ -123,13 +126,17 @@ std::optional<SharedParameter> named_parameter(const TomlTable& block, const std
   return std::nullopt;
 }
 
-// A quantity, or the name of a parameter of the kind.
-MaterialNumber number_from(const TomlTable& block, const std::string& key, const CalibrationJob& job,
-                           ParameterKind kind) {
-  block.describe(key, {dimension_of(kind) == dimension::none ? "number or name" : "pressure or name",
+void describe_number(const TomlTable& block, const std::string& key, ParameterKind kind) {
+  block.describe(key, {name_of(dimension_of(kind)) + " or name",
                        words_of(range_of(kind)) + ", or the name of a parameter of kind " +
                            in_quotes(kind_words[static_cast<int>(kind)]),
                        ""});
+}
+
+// A quantity, or the name of a parameter of the kind.
+MaterialNumber number_from(const TomlTable& block, const std::string& key, const CalibrationJob& job,
+                           ParameterKind kind) {
+  describe_number(block, key, kind);
   if (const auto shared = named_parameter(block, key, job, kind)) return *shared;
   const std::string accepted = fmt::format("{}, or the name of a parameter: {}",
                                            words_of(range_of(kind), dimension_of(kind)), parameters_of(job, kind));
@@ -148,6 +155,19 @@ MaterialNumber number_from(const TomlTable& block, const std::string& key, const
   return value;
 }
 
+// One emulator answers for all materials: all are judged over a length, or none is.
+std::optional<MaterialNumber> erosion_length_from(const TomlTable& block, const CalibrationJob& job) {
+  describe_number(block, "erosion_length", ParameterKind::erosion_length);
+  const bool has = block.has("erosion_length");
+  if (!job.materials.empty() && has != has_erosion_length(job)) {
+    const std::string first = job.materials.front().name;
+    block.refuse("erosion_length", has ? "this, but " + first + " has none" : "no such key, but " + first + " has one",
+                 "an erosion length of every material of a job, or of none");
+  }
+  if (!has) return std::nullopt;
+  return number_from(block, "erosion_length", job, ParameterKind::erosion_length);
+}
+
 CalibrationMaterial material_from(const TomlTable& block, const std::string& name, const CalibrationJob& job) {
   CalibrationMaterial material{
       .name = name,
@@ -155,6 +175,7 @@ CalibrationMaterial material_from(const TomlTable& block, const std::string& nam
       .mu = number_from(block, "mu", job, ParameterKind::modulus),
       .alpha = number_from(block, "alpha", job, ParameterKind::exponent),
       .erosion_strain = number_from(block, "erosion_strain", job, ParameterKind::erosion_strain),
+      .erosion_length = erosion_length_from(block, job),
       .rate_factor = block.optional_number("rate_factor", positive("factor")),
       .rate_factor_error = share_from(block, "rate_factor_error", not_negative("share"), 0),
       .curve_modulus = block.optional_quantity("curve_modulus", dimension::pressure, positive("modulus"))};
@@ -179,15 +200,19 @@ void read_materials(const TomlTable& root, CalibrationJob& job) {
 }
 
 void read_training(const TomlTable& root, CalibrationJob& job) {
+  TrainingSettings& t = job.training;
+  const bool length = has_erosion_length(job);
+  if (length) t.coarse = 4, t.fine = t.verify = 6;
   const auto block = root.optional_table("training");
   if (!block) return;
-  TrainingSettings& t = job.training;
-  t.coarse = block->number("coarse", elements_per_radius_range(), t.coarse);
-  t.fine = block->number("fine", elements_per_radius_range(), t.fine);
-  t.verify = block->number("verify", elements_per_radius_range(), t.verify);
-  if (t.fine < t.coarse) block->refuse("fine", "a mesh coarser than coarse", "as many elements per radius or more");
-  if (t.verify < t.fine) block->refuse("verify", "a mesh coarser than fine", "as many elements per radius or more");
-  t.initial = block->integer("initial", least_initial_runs, most_runs, t.initial);
+  const Range meshes = length ? elements_in_length : elements_per_radius_range();
+  t.coarse = block->number("coarse", meshes, t.coarse);
+  t.fine = block->number("fine", meshes, t.fine);
+  t.verify = block->number("verify", meshes, t.verify);
+  const std::string as_many = std::string("as many ") + mesh_words(job) + " or more";
+  if (t.fine < t.coarse) block->refuse("fine", "a mesh coarser than coarse", as_many);
+  if (t.verify < t.fine) block->refuse("verify", "a mesh coarser than fine", as_many);
+  t.initial = block->integer("initial", fewest_training_runs, most_runs, t.initial);
   t.batch = block->integer("batch", 1, most_runs, t.batch);
   t.most = block->integer("most", t.initial, most_runs, std::max(t.most, t.initial));
   t.fine_share = share_from(*block, "fine_share", share, t.fine_share);
@@ -208,6 +233,11 @@ std::optional<double> optional_share_from(const TomlTable& block, const std::str
   return share;
 }
 
+Dimension dimension_of(ParameterKind kind) {
+  if (kind == ParameterKind::erosion_length) return dimension::length;
+  return kind == ParameterKind::modulus ? dimension::pressure : dimension::none;
+}
+
 double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback) {
   block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", fmt::format("{}", fallback)});
   return optional_share_from(block, key, range).value_or(fallback);
@@ -223,9 +253,9 @@ CalibrationJob read_calibration_job(const std::string& path) {
   job.bootstrap = root.integer("bootstrap", 0, 100000, job.bootstrap);
   job.dehn = root.flag("dehn", job.dehn);
   job.solver = read_solver(root);
-  read_training(root, job);
   read_parameters(root, job);
   read_materials(root, job);
+  read_training(root, job);  // what its meshes count, the materials say
   read_scatter_groups(root, job);
   read_shots(root, job);
   read_job_curves(root, job);

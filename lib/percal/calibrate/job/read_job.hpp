@@ -24,6 +24,9 @@ void read_published(const TomlTable& root, CalibrationJob& job);
 // Numbers, materials and groups that nothing uses, parameters that no fitted datum depends on.
 void check_use(const TomlTable& root, const CalibrationJob& job);
 
+// Of a parameter's value.
+Dimension dimension_of(ParameterKind kind);
+
 // A share of 1: a number, or a text in percent, "5 %".
 double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback);
 std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range);

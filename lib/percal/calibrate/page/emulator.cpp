@@ -10,19 +10,30 @@
 namespace percal::calibration_page {
 namespace {
 
-// The inputs in the order of SphereInputs.
-Json lengths_to_json(const std::array<double, sphere_inputs>& length) {
-  const char* const names[] = {"ln_pi4", "ln_pi5", "alpha", "erosion_strain", "ln_depth_over_radius", "ln_bulk_ratio"};
+// The first `inputs` of them, in the order of SphereInputs.
+Json lengths_to_json(const std::array<double, sphere_inputs>& length, int inputs) {
+  const char* const names[] = {"ln_pi4",
+                               "ln_pi5",
+                               "alpha",
+                               "erosion_strain",
+                               "ln_depth_over_radius",
+                               "ln_bulk_ratio",
+                               "ln_erosion_length_over_radius"};
   Json all = Json::object();
-  for (int i = 0; i < sphere_inputs; ++i) all[names[i]] = finite(length[i]);
+  for (int i = 0; i < inputs; ++i) all[names[i]] = finite(length[i]);
   return all;
 }
 
 Json settings_to_json(const EmulatorSettings& settings) {
-  return {{"amplitude", finite(settings.amplitude)},           {"length", lengths_to_json(settings.length)},
-          {"mesh_amplitude", finite(settings.mesh_amplitude)}, {"mesh_length", lengths_to_json(settings.mesh_length)},
-          {"mesh_order", finite(settings.mesh_order)},         {"noise", finite(settings.noise)},
-          {"noise_order", finite(settings.noise_order)},       {"log_likelihood", finite(settings.log_likelihood)},
+  const int inputs = settings.inputs();
+  return {{"amplitude", finite(settings.amplitude)},
+          {"length", lengths_to_json(settings.length, inputs)},
+          {"mesh_amplitude", finite(settings.mesh_amplitude)},
+          {"mesh_length", lengths_to_json(settings.mesh_length, inputs)},
+          {"mesh_order", finite(settings.mesh_order)},
+          {"noise", finite(settings.noise)},
+          {"noise_order", finite(settings.noise_order)},
+          {"log_likelihood", finite(settings.log_likelihood)},
           {"likelihood_evaluations", settings.evaluations}};
 }
 
@@ -50,7 +61,7 @@ Json emulator_to_json(const EmulatorReport& emulator) {
 
 Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs) {
   Json all = Json::array();
-  for (const FreshRun& run : runs)
+  for (const FreshRun& run : runs) {
     all.push_back({{"shot", run.shot},
                    {"label", job.shots[run.shot].label},
                    {"elements_per_radius", run.elements_per_radius},
@@ -58,6 +69,8 @@ Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs)
                    {"depth_m", finite(run.depth)},
                    {"emulated_m", finite(run.emulated)},
                    {"standardised_difference", run.depth ? finite(run.standardised) : Json()}});
+    if (run.elements_in_length) all.back()["elements_in_erosion_length"] = *run.elements_in_length;
+  }
   return all;
 }
 
@@ -68,7 +81,8 @@ namespace {
 Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hypothesis) {
   Series runs = series("fresh runs", Mark::points, 0);
   int within = 0;
-  double finest = nowhere, low = HUGE_VAL, high = 0;
+  std::string mesh = absent;
+  double low = HUGE_VAL, high = 0;
   const Json& shots = list(at(result, "data"), "shots");
   for (const Json& run : list(hypothesis, "fresh_runs")) {
     const auto shot = static_cast<std::size_t>(std::max(number_or(run, "shot", 0), 0.0));
@@ -79,7 +93,9 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
     low = std::min(low, depth);
     high = std::max(high, depth);
     within += std::abs(*z) <= 2;
-    finest = number_or(run, "elements_per_radius", finest);
+    const auto in_length = number(maybe(run, "elements_in_erosion_length"));
+    mesh = in_length ? shown(in_length) + " elements in the erosion length"
+                     : shown(number(run, "elements_per_radius")) + " elements per radius";
   }
   Chart chart{.title = "Fresh runs at the best point against the emulator",
               .x = {.label = "depth, radii", .logarithmic = worth_a_logarithm(low, high)},
@@ -94,10 +110,9 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
     }
   add(chart, std::move(runs));
   return {.name = fmt::format("fresh_{}", number_of_hypothesis),
-          .caption = fmt::format(
-              "The fitted shots run again at the best point on {} elements per radius: {} of {} lie within two "
-              "of the emulator's stated standard errors.",
-              shown(finest), within, count),
+          .caption = fmt::format("The fitted shots run again at the best point on {}: {} of {} lie within two "
+                                 "of the emulator's stated standard errors.",
+                                 mesh, within, count),
           .alt = fmt::format("Differences of {} fresh runs from the emulator, {} of them within two standard errors.",
                              count, within),
           .chart = chart};

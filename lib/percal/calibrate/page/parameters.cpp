@@ -76,7 +76,7 @@ std::vector<FreeParameter> fitted_parameters(const CalibrationJob& job, const Hy
 }
 
 Json searched_to_json(const CalibrationJob& job) {
-  const char* const kinds[] = {"modulus", "exponent", "erosion strain"};  // as ParameterKind
+  const char* const kinds[] = {"modulus", "exponent", "erosion strain", "erosion length"};  // as ParameterKind
   Json all = Json::array();
   for (const auto& [kind, free] : job.parameters)
     all.push_back({{"name", free.name},

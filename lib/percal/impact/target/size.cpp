@@ -55,6 +55,11 @@ RunSize size_of(const Problem& p) {
   return size;
 }
 
+bool is_too_large(const Problem& problem) {
+  const RunSize size = size_of(problem);
+  return beyond_memory(size) || beyond_patience(size);
+}
+
 void refuse_what_is_too_large(const Problem& problem, const std::string& file, const SizeKeys& keys) {
   const RunSize size = size_of(problem);
   if (beyond_memory(size))
@@ -67,8 +72,8 @@ void refuse_what_is_too_large(const Problem& problem, const std::string& file, c
 }
 
 std::string in_words(const RunSize& size) {
-  return fmt::format("{:.6g} elements ({:.6g} columns, {:.6g} rows), {:.3g} MB, up to about {:.2g} steps", size.elements,
-                     size.columns, size.rows, 1e-6 * size.bytes, size.steps);
+  return fmt::format("{:.6g} elements ({:.6g} columns, {:.6g} rows), {:.3g} MB, up to about {:.2g} steps",
+                     size.elements, size.columns, size.rows, 1e-6 * size.bytes, size.steps);
 }
 
 }  // namespace percal

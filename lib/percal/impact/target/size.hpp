@@ -20,8 +20,10 @@ struct SizeKeys {
   std::string mesh = "mesh.elements_per_radius", depth = "target.depth", width = "mesh.fine_width";
 };
 
-// Throws BadInput where a run would not fit into this machine's memory, or would be called off after most_steps
-// (impact/settings.hpp). `file` is where the problem came from.
+// Whether a run would not fit into this machine's memory, or would be called off after most_steps (impact/settings.hpp).
+bool is_too_large(const Problem& problem);
+
+// Throws BadInput where a run is too large. `file` is where the problem came from.
 void refuse_what_is_too_large(const Problem& problem, const std::string& file, const SizeKeys& keys = {});
 
 // "28350 elements (27 columns, 1050 rows), 1.68 MB, up to about 3.7e+04 steps".
