@@ -9,6 +9,7 @@
 #include "pages.hpp"
 #include "percal/calibrate/best_scenes.hpp"
 #include "percal/calibrate/calibration.hpp"
+#include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/page/page.hpp"
 #include "percal/calibrate/run_sizes.hpp"
 #include "percal/impact/kernel/kernel.hpp"
@@ -36,19 +37,11 @@ std::optional<double> parse_budget(const std::string& text) {
   return quantity.value;
 }
 
-Exit say_valid(const CalibrateArguments& arguments, const CalibrationJob& job, const RunSize& largest,
-               const Common& common) {
-  int fitted = 0;
-  for (const MeasuredShot& shot : job.shots) fitted += shot.used ? 1 : 0;
-  if (common.json)
-    fmt::print("{}\n", nlohmann::json{{"command", "calibrate"}, {"job", arguments.job}, {"valid", true}}.dump());
-  else if (!common.quiet)
-    fmt::print(
-        "{}: a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses; the largest run "
-        "has {}\n",
-        arguments.job, job.parameters.size(), job.shots.size(), fitted, job.curves.size(), job.hypotheses.size(),
-        in_words(largest));
-  return Exit::done;
+std::string valid_words(const CalibrationJob& job, const RunSize& largest) {
+  return fmt::format(
+      "a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses; the largest run has {}",
+      job.parameters.size(), job.shots.size(), used_shots(job).size(), job.curves.size(), job.hypotheses.size(),
+      in_words(largest));
 }
 
 }  // namespace
@@ -58,7 +51,9 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   limits.budget_seconds = parse_budget(arguments.budget);
   const CalibrationJob job = read_calibration_job(arguments.job);
   const RunSize largest = largest_run(job);  // throws where it cannot be run
-  if (common.check) return say_valid(arguments, job, largest, common);
+  if (common.check)
+    return say_valid(arguments.job + ": " + valid_words(job, largest),
+                     {{"command", "calibrate"}, {"job", arguments.job}}, common, largest);
   const std::string folder = out_folder(arguments.job, common);
   Store store(common.store.empty() ? default_store_path() : common.store);
   Campaign campaign(&store, common.threads);

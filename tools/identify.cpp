@@ -35,13 +35,9 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
   const IdentifyJob job = read_identify_job(arguments.job);
   const RunSize largest = largest_run(job);  // throws where it cannot be run
-  if (common.check) {
-    if (common.json)
-      fmt::print("{}\n", page::Json{{"command", "identify"}, {"job", arguments.job}, {"valid", true}}.dump());
-    else if (!common.quiet)
-      fmt::print("{}: a job that can be run; the largest run has {}\n", arguments.job, in_words(largest));
-    return Exit::done;
-  }
+  if (common.check)
+    return say_valid(fmt::format("{}: a job that can be run; the largest run has {}", arguments.job, in_words(largest)),
+                     {{"command", "identify"}, {"job", arguments.job}}, common, largest);
   const std::string folder = out_folder(arguments.job, common);
   Store store(common.store.empty() ? default_store_path() : common.store);
   Campaign campaign(&store, common.threads);

@@ -1,7 +1,6 @@
 // percal impact: one scene, its replicates, the summary.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 
 #include "accuracy.hpp"
@@ -13,8 +12,7 @@
 #include "percal/observe/history.hpp"
 #include "percal/problem/replicates.hpp"
 #include "percal/scene/scene_toml.hpp"
-#include "percal/study/extrapolation.hpp"
-#include "percal/study/measured_effects.hpp"
+#include "percal/study/error_evidence.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/quantity.hpp"
 
@@ -42,34 +40,8 @@ const ImpactResult& middle_run(const ImpactFindings& found) {
   return found.runs[middle_replicate(static_cast<int>(found.runs.size()))].result;
 }
 
-// What is known of the depth's error beyond the rules, by runs that were asked for.
-ErrorEvidence evidence_of(const ImpactArguments& arguments, const ImpactFindings& found, Campaign& campaign) {
-  ErrorEvidence evidence;
-  const int replicates = found.scene.replicates;
-  if (!found.penetration.depth || replicates < 2) return evidence;
-  if (arguments.measure_errors) {
-    Progress progress("errors", effect_runs(replicates));
-    evidence.effects = measured_effects(found.reduction, found.runs, campaign, &progress);
-    for (const DepthErrorSource source : measured_sources)
-      if (std::ranges::find(evidence.effects, source, &MeasuredEffect::source) == evidence.effects.end())
-        evidence.notes.push_back("the error of the " + word(source) +
-                                 " goes by rule: a better setting did not stop in every run");
-  }
-  if (arguments.extrapolate) {
-    Progress progress("finer mesh", replicates);
-    evidence.extrapolation = extrapolated(found.scene, found.penetration, campaign, &progress);
-    if (!evidence.extrapolation)
-      evidence.notes.push_back("not extrapolated: on the finer mesh the particle did not stop in every run");
-  }
-  return evidence;
-}
-
-// Throws BadInput for options that these replicates cannot answer.
-void check_errors_asked_for(const ImpactArguments& arguments, const Scene& scene) {
-  if (arguments.measure_errors && scene.replicates < 2)
-    throw BadInput(Place{.file = arguments.scene, .line = 0, .key = "--measure-errors"}, "one replicate",
-                   "two or more: the differences need a scatter");
-  if (arguments.extrapolate) need_a_limit(scene);
+ErrorsAskedFor errors_asked_for(const ImpactArguments& arguments) {
+  return {.measured = arguments.measure_errors, .extrapolated = arguments.extrapolate};
 }
 
 void write_history(const ImpactFindings& found, const std::string& file, const std::string& folder) {
@@ -87,13 +59,14 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   refuse_what_is_too_large(asked, arguments.scene);
   std::optional<double> target_error;
   if (!arguments.accuracy.empty()) target_error = parse_accuracy(arguments.accuracy);
-  check_errors_asked_for(arguments, scene);
+  check_errors_asked_for(errors_asked_for(arguments), scene);
   check_views(arguments, common);
-  if (common.check)
-    return say_valid(
-        "impact", "scene", arguments.scene,
-        fmt::format("a scene that can be run: {}, {} runs of them", in_words(size_of(asked)), scene.replicates),
-        common);
+  if (common.check) {
+    const RunSize size = size_of(asked);
+    return say_valid(fmt::format("{}: a scene that can be run: {}, {} runs of them", arguments.scene, in_words(size),
+                                 scene.replicates),
+                     {{"command", "impact"}, {"scene", arguments.scene}}, common, size);
+  }
   if (!arguments.history.empty()) ensure_writable(arguments.history);
   ensure_views_can_be_made(arguments);
   const std::string folder = out_folder(arguments.scene, common);
@@ -118,7 +91,8 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
         campaign.evaluate(replicates_of(reduction.problem, scene.replicates), &progress, {views.observer(), middle});
   }
   found.penetration = summarise(found.runs, reduction.problem, reduction.scales);
-  found.evidence = evidence_of(arguments, found, campaign);
+  found.evidence =
+      error_evidence(errors_asked_for(arguments), scene, reduction, found.runs, found.penetration, campaign);
   found.fields = views.fields();
   found.picture = arguments.picture;
   found.cost = cost_since(start, campaign);

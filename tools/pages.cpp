@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "colour.hpp"
 #include "percal/base/error.hpp"
@@ -95,10 +96,16 @@ void write_scene(const Scene& scene, const std::string& comment, const std::stri
   write_file(scenes + "/" + name + ".toml", scene_to_toml(scene, comment));
 }
 
-Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,
-               const Common& common) {
-  if (common.json) fmt::print("{}\n", Json{{"command", command}, {kind, file}, {"valid", true}}.dump());
-  if (common.talks()) fmt::print("{}: {}\n", file, words);
+Exit say_valid(const std::string& words, Json answer, const Common& common, const std::optional<RunSize>& largest) {
+  answer["valid"] = true;
+  if (largest)
+    answer["largest_run"] = {{"elements", largest->elements},
+                             {"columns", largest->columns},
+                             {"rows", largest->rows},
+                             {"bytes", largest->bytes},
+                             {"steps_up_to", std::ceil(largest->steps)}};
+  if (common.json) fmt::print("{}\n", answer.dump());
+  if (common.talks()) fmt::print("{}\n", words);
   return Exit::done;
 }
 

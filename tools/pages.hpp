@@ -1,8 +1,10 @@
 // The pages of all commands: the one place that sees them.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
+#include "percal/impact/target/size.hpp"
 #include "percal/page/comparison.hpp"
 #include "percal/page/text.hpp"
 #include "percal/scene/scene.hpp"
@@ -23,9 +25,10 @@ void deliver(const page::Json& result, const std::string& folder, const Common& 
 // FOLDER/scenes/NAME.toml, to be run by percal impact; nothing where there is no folder. Throws IoFailure.
 void write_scene(const Scene& scene, const std::string& comment, const std::string& name, const std::string& folder);
 
-// What --check ends with: that `file`, a "job" or a "scene", can be used, as JSON or in words ("a scene that can be run").
-Exit say_valid(const std::string& command, const std::string& kind, const std::string& file, const std::string& words,
-               const Common& common);
+// What --check ends with: the words ("job.toml: a job that can be run"), or as JSON `answer`, that it is valid, and the size of the
+// largest run.
+Exit say_valid(const std::string& words, page::Json answer, const Common& common,
+               const std::optional<RunSize>& largest = {});
 
 // Standard output as it is: the terminal's columns and colours.
 page::TextStyle terminal_style(page::Detail detail);

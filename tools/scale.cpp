@@ -20,7 +20,8 @@ Exit run_scale(const ScaleArguments& arguments, const Common& common) {
   const ScaleJob job = read_job(arguments);
   const Completion completion = complete(job.prototype.system, job.model.system);
   const std::string scene = job.output_scene.empty() ? "" : similar_scene_text(job, completion);
-  if (common.check) return say_valid("scale", "job", arguments.job, "a job that can be run", common);
+  if (common.check)
+    return say_valid(arguments.job + ": a job that can be run", {{"command", "scale"}, {"job", arguments.job}}, common);
   const std::string folder = out_folder(arguments.job, common);
   if (!scene.empty()) write_file(job.output_scene, scene);
   deliver(scale_to_json(job, completion, job.output_scene), folder, common);

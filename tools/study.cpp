@@ -47,18 +47,11 @@ struct Study {
   Campaign campaign;
 };
 
-Exit checked(const std::string& what, const Json& answer, const Common& common) {
-  if (common.json)
-    fmt::print("{}\n", answer.dump());
-  else if (!common.quiet)
-    fmt::print("{}\n", what);
-  return Exit::done;
-}
-
 Exit checked_scene(const std::string& file, long runs, const Problem& largest, const Common& common) {
-  return checked(fmt::format("{}: a scene that can be studied, {} runs, the largest of {}", file, runs,
-                             in_words(size_of(largest))),
-                 {{"command", "study"}, {"scene", file}, {"valid", true}}, common);
+  const RunSize size = size_of(largest);
+  return say_valid(
+      fmt::format("{}: a scene that can be studied, {} runs, the largest of {}", file, runs, in_words(size)),
+      {{"command", "study"}, {"scene", file}}, common, size);
 }
 
 // The page with links to its figures, which lie in the folder, or beside the page where there is none.
@@ -132,8 +125,7 @@ Exit omissions_study(const StudyArguments& arguments, const Common& common) {
 Exit extremes_study(const StudyArguments& arguments, const Common& common) {
   const auto cells = extreme_cells();
   if (common.check)
-    return checked(fmt::format("{} cells", cells.size()),
-                   {{"command", "study"}, {"cells", cells.size()}, {"valid", true}}, common);
+    return say_valid(fmt::format("{} cells", cells.size()), {{"command", "study"}, {"cells", cells.size()}}, common);
   Study study("extremes", common);
   const auto results = [&] {
     Progress progress("study", static_cast<long>(cells.size()));

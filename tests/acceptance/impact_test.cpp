@@ -204,7 +204,9 @@ TEST_F(Impact, ACheckRunsAndWritesNothing) {
   const std::string file = scene();
   const auto before = files();
   EXPECT_EQ(impact({file, "--check", "--out", path("out")}).code, 0);
-  EXPECT_EQ(json::parse(impact({file, "--check", "--json"}).out)["valid"], true);
+  const json said = json::parse(impact({file, "--check", "--json"}).out);
+  EXPECT_EQ(said["valid"], true);
+  EXPECT_EQ(said["largest_run"]["elements"], said["largest_run"]["columns"].get<double>() * said["largest_run"]["rows"].get<double>());
   EXPECT_THAT(impact({file, "--check", "--quiet"}).out, IsEmpty());
   EXPECT_EQ(files(), before);
 }

@@ -1,5 +1,5 @@
-// Do the stated 95 % intervals hold? Depths are made by the solver at known parameters, with known scatter, and calibrated through an
-// emulator that has never seen those runs.
+// Do the stated 95 % intervals hold? Depths are made by the solver at known parameters, as means over the mesh's phase with known scatter
+// added, and calibrated through an emulator that has never seen those runs.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,6 +13,7 @@
 #include "percal/estimate/intervals.hpp"
 #include "percal/math/distributions.hpp"
 #include "percal/math/draws.hpp"
+#include "percal/problem/replicates.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -21,6 +22,7 @@ namespace {
 constexpr int mesh = 6;           // elements per radius: of the emulator and of the truth
 constexpr double scatter = 0.05;  // of ln depth, of the data made here
 constexpr int truths = 10, replicates = 10;
+constexpr int phases = 5;  // behind each true depth
 
 CalibrationJob steel_into_gel() {
   CalibrationJob job = test::gel_job(0);
@@ -70,14 +72,15 @@ std::vector<std::vector<double>> true_points(const CalibrationJob& job, const Em
 
 // Log depths of all shots by the solver; nothing where one does not stop.
 std::vector<double> solved(const CalibrationJob& job, Campaign& campaign, const std::vector<double>& natural) {
-  std::vector<Problem> problems;
-  for (const auto& shot : job.shots)
-    problems.push_back(shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, natural), mesh));
   std::vector<double> log_depths;
-  const auto runs = campaign.evaluate(problems, nullptr);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i].result.outcome != Outcome::stopped) return {};
-    log_depths.push_back(std::log(runs[i].result.depth * job.shots[i].radius));
+  for (const auto& shot : job.shots) {
+    const Problem problem = shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, natural), mesh);
+    double sum = 0;
+    for (const auto& run : campaign.evaluate(replicates_of(problem, phases), nullptr)) {
+      if (run.result.outcome != Outcome::stopped) return {};
+      sum += std::log(run.result.depth * shot.radius);
+    }
+    log_depths.push_back(sum / phases);
   }
   return log_depths;
 }
@@ -168,7 +171,7 @@ TEST_F(SlowCoverage, OnTheRidgeTheDepthThatTheShotsDetermineIsWithinItsInterval)
     const Eigen::VectorXd gradient = answer.jacobian.transpose() * mean;
     const double noise = emulator_->noise(1.0 / mesh);
     const double variance = gradient.dot(fit.best().covariance * gradient) + mean.dot(answer.covariance * mean) +
-                            noise * noise / static_cast<double>(n);  // the truth is one noisy run for each shot
+                            noise * noise / static_cast<double>(n * phases);  // the truth is of that many noisy runs
     const double freedom = effective_degrees_of_freedom(fit.problem, fit.best(), gradient);
     const double off = answer.value.mean() - Eigen::Map<const Eigen::VectorXd>(truth.log_depths.data(), n).mean();
     return std::abs(off) <= student_quantile(0.975, freedom) * std::sqrt(variance);

@@ -69,6 +69,14 @@ class AnImpact(unittest.TestCase):
         self.assertEqual(found["depth_m"], printed["depth_m"])
         self.assertEqual((found["convention"], found["bulk_was_chosen"]), ("mu/alpha", False))
 
+    def test_measures_its_errors_where_asked_to(self):
+        ruled = percal.impact(GOLD, elements_per_radius=4, replicates=2)
+        measured = percal.impact(GOLD, elements_per_radius=4, replicates=2, measure_errors=True)
+        self.assertEqual(measured.depth, ruled.depth)
+        self.assertNotEqual(measured.depth_error, ruled.depth_error)
+        with self.assertRaisesRegex(ValueError, "--extrapolate: found a scene without target.erosion.length"):
+            percal.impact(GOLD, extrapolate=True)
+
     def test_is_found_again_in_its_store(self):
         with tempfile.TemporaryDirectory() as folder:
             store = os.path.join(folder, "percal.store")

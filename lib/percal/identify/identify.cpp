@@ -146,7 +146,7 @@ std::optional<CardIntervals> intervals_of(const StrainOnRidge& erosion) {
       level, {{"erosion_strain", erosion.strain - errors * erosion.error, erosion.strain + errors * erosion.error}}};
 }
 
-CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
+CardMaterial card_of(const IdentifyJob& job, const Identification& found, const std::vector<CardData>& data) {
   const double mu_true = true_modulus(found.tissue.mu, found.alpha, job.convention);
   CardMaterial card{.name = job.card_name,
                     .density = job.tissue.density,
@@ -156,7 +156,7 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found) {
                                            job.calibration.radius / job.ridge.elements_per_radius},
                     .comments = job.card_comments,
                     .intervals = intervals_of(*found.tissue.erosion),
-                    .data = data_of(job)};
+                    .data = data};
   card.comments.push_back("identified by percal from " + job.title);
   if (found.alpha_scan) {
     card.fit_error =
@@ -181,7 +181,8 @@ Scene identified_scene(const IdentifyJob& job, const Identification& found) {
 
 Identification identify(const IdentifyJob& job, Campaign& campaign,
                         const std::function<void(const ComparedNumbers&)>& announce) {
-  largest_run(job);  // throws where it cannot be run
+  largest_run(job);                                // throws where it cannot be run
+  const std::vector<CardData> data = data_of(job);  // now: files may be changed while runs take their time
   Identification found;
   const auto finish = [&](ComparedNumbers table) {
     if (announce) announce(table);
@@ -219,7 +220,7 @@ Identification identify(const IdentifyJob& job, Campaign& campaign,
       found.predictions.push_back(std::move(*result));
       finish(prediction_step(job, found.predictions.back()));
     }
-  if (found.complete()) found.card = card_of(job, found);
+  if (found.complete()) found.card = card_of(job, found, data);
   found.tables = published_tables(job, found);
   found.findings = findings(job, found);
   return found;

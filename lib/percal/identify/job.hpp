@@ -136,7 +136,7 @@ struct EqualMass {
 };
 
 struct IdentifyJob {
-  std::string file, title;
+  std::string file, text, title;  // text: the whole file
   ModulusConvention convention = ModulusConvention::true_shear;
   StrainMeasure measure = StrainMeasure::engineering;
   ModelMaterial gelatin;

@@ -7,6 +7,7 @@
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/csv.hpp"
 #include "percal/text/csv_cells.hpp"
+#include "percal/text/file.hpp"
 #include "percal/text/job_table.hpp"
 #include "percal/text/toml.hpp"
 #include "percal/units/words.hpp"
@@ -287,9 +288,10 @@ const std::vector<ReferenceKey>& reference_keys() {
 }
 
 IdentifyJob read_identify_job(const std::string& path) {
-  const TomlTable root = read_toml(path);
   IdentifyJob job;
   job.file = path;
+  job.text = read_file(path);
+  const TomlTable root = parse_toml(job.text, path);
   job.title = root.text("title", path);
   const TomlTable convention = root.table("convention");
   job.convention = convention.word("modulus", {"true", "mu/alpha"}) == 1 ? ModulusConvention::mu_over_alpha

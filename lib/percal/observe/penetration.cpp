@@ -50,8 +50,7 @@ std::vector<std::string> warnings(const Penetration& penetration, const std::vec
     for (const Outcome outcome : penetration.outcomes) list += (list.empty() ? "" : ", ") + word(outcome);
     lines.push_back("the replicates ended differently (" + list + "): their depths are not averaged");
   }
-  const double loss = penetration.energy.numerical_loss();
-  if (loss > tolerated_numerical_loss)
+  if (penetration.outcome != Outcome::unstable && penetration.energy.numerical_loss() > tolerated_numerical_loss)
     lines.push_back(fmt::format(
         "collisions of nodes with the particle ({:.0f} %) and bulk viscosity ({:.0f} %) take more than half of "
         "the impact energy: the depth hangs on how the mesh takes shocks",

@@ -110,6 +110,7 @@ class Impact:
     depth: float | None
     spread: float | None
     standard_error: float | None
+    depth_error: dict[str, Any] | None
     at_least: float | None
     depths: _Array
     energy: dict[str, float]
@@ -126,6 +127,8 @@ def impact(
     threads: int = 0,
     store: _Path | None = None,
     history: bool = True,
+    measure_errors: bool = False,
+    extrapolate: bool = False,
 ) -> Impact: ...
 
 class _Result(Mapping[str, Any]):

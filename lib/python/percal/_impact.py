@@ -75,7 +75,7 @@ class Impact:
     """What the runs of an impact say together, SI.
 
     outcome: stopped, passed through, time up or unstable; depth: mean of the runs, None unless all stopped; spread: sample standard
-    deviation of a run; standard_error: of the mean; at_least: a layer's depth that a run passed through; depths: of each run;
+    deviation of a run; standard_error: of the mean; depth_error: the 95 % half width and its sources, None without a depth; at_least: a layer's depth that a run passed through; depths: of each run;
     energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N", "energy_..."} of the middle run, in
     plane strain with "force_N_per_m"; left_out, warnings: lists of sentences; result: percal impact's result.json, as a dict.
     """
@@ -86,6 +86,7 @@ class Impact:
         self.depth = result["depth_m"]
         self.spread = result["depth_spread_m"]
         self.standard_error = result["depth_standard_error_m"]
+        self.depth_error = result["depth_error"]
         self.at_least = result["depth_at_least_m"]
         self.depths = np.array([run["depth_m"] for run in result["runs"]])
         self.energy = result["energy"]
@@ -111,14 +112,15 @@ def _columns(history):
     return {key: np.array(values, dtype=float) for key, values in columns.items()}
 
 
-def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=None, history=True):
+def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=None, history=True, measure_errors=False, extrapolate=False):
     """Runs the impacts of a scene (or of the file of one).
 
     elements_per_radius, replicates: instead of the scene's; threads: 0 for one on each core; store: file in which finished runs are
     kept and found again (percal.default_store_path() is the program's), None for no store; history: of the middle run. A
-    run whose history is wanted is never taken from the store.
+    run whose history is wanted is never taken from the store. measure_errors, extrapolate: more runs, as percal impact's options of
+    these names make them.
     """
     if not isinstance(scene, Scene):
         scene = Scene.from_dict(scene) if isinstance(scene, dict) else Scene.read(scene)
     path = None if store is None else os.fspath(store)
-    return Impact(json.loads(_core.impact(scene._core, elements_per_radius, replicates, threads, path, history)))
+    return Impact(json.loads(_core.impact(scene._core, elements_per_radius, replicates, threads, path, history, measure_errors, extrapolate)))

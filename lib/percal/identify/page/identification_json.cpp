@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "percal/card/card_json.hpp"
-#include "percal/text/file.hpp"
 
 namespace percal {
 namespace {
@@ -300,7 +299,7 @@ Json comparison_to_json(const IdentifyJob& job, const ComparedNumbers& compariso
 
 Json identification_to_json(const IdentifyJob& job, const Identification& found, const page::Cost& cost) {
   const GelatinLaw& law = found.gelatin.law;
-  Json json = page::result_head("identify", {{"job", job.file}, {"toml", read_file(job.file)}});
+  Json json = page::result_head("identify", {{"job", job.file}, {"toml", job.text}});
   json.update(
       {{"title", job.title},
        {"complete", found.complete()},
