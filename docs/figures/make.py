@@ -31,8 +31,8 @@ def page(result):
     cost = result["cost"]
     head = f"""# Guha 2009: the chain from gelatin shots to skin
 
-Written by `docs/figures/make.py` from the result of `percal identify data/guha2009/skin.toml` (percal {result['percal']}, {cost['isa']}). Evaluations: {cost['runs']} run
-and {cost['reused']} from the store. The figures differ in their last digits between instruction levels, and by the scatter given beside them.
+Written by `docs/figures/make.py` from the result of `percal identify data/guha2009/skin.toml` (percal {result['percal']}, {cost['isa']}). {cost['runs'] + cost['reused']}
+evaluations. The figures differ in their last digits between instruction levels, and by the scatter given beside them.
 
 """
     findings = "\n".join(f"- {capital(finding)}" for finding in result["findings"])

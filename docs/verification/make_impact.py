@@ -56,16 +56,15 @@ def page(program):
     gold = (THESIS / "gold.toml").read_text()
     return f"""# The impact solver: mesh, noise, energy, cost
 
-Written by `docs/verification/make_impact.py` from runs of `data/guha2009/gold.toml` (setting S, contact stiffness 0.6; gold into skin, 15 MPa as given, alpha 8.5, erosion
-strain 0.7) on one core of a {processor()}. Replicates are at the speed times 1, 1.001, 0.999, 1.002, 0.998. Times are processor seconds on a machine
+Written by `docs/verification/make_impact.py` from runs of `data/guha2009/gold.toml` (setting S; gold into skin, 15 MPa as given, alpha 8.5, erosion
+strain 0.7) on one core of an {processor()}. Replicates walk the phase of the mesh, each at a speed of its own. Times are processor seconds on a machine
 that others use too: compare them with each other.
 
 ## Mesh
 
 {mesh_table(program, gold)}
 
-A single run scatters by one to two per cent: erosion amplifies any difference. Depths are means of the replicates, and a difference between two meshes that is smaller than the spread
-means nothing.
+A single run scatters by one to six per cent, most of it the phase of the mesh. Depths are means of the replicates; a difference of two of them that is smaller than the spread means nothing.
 
 ## Instruction level and arithmetic
 
@@ -76,7 +75,7 @@ means nothing.
 ## Energy and the time step
 
 Left: no erosion, alpha 3, up to the time of two radii at impact speed: the closure falls as the square of the step. Right: with erosion, 10 elements per
-radius, three replicates.
+radius, three replicates, whose means are good to 2 %.
 
 {step_table(program, gold)}
 

@@ -250,7 +250,7 @@ What the process grew by, at its largest, with everything that a run keeps.
 
 ## Depth against cost
 
-Reference: {reference}. Nine replicates of each mesh at the speed times 1, 1.001, 0.999, ...; the expected error of a mean of three is the root of the squares of its offset and of spread/sqrt 3,
+Reference: {reference}. Nine replicates of each mesh; the expected error of a mean of three is the root of the squares of its offset and of spread/sqrt 3,
 and in brackets the same with one standard error added to the offset.
 
 {depth_table}

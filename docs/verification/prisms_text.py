@@ -4,7 +4,7 @@ HEAD = """# Prisms in plane strain
 
 Written by `docs/verification/make_prisms.py` from `percal impact` ({machine}, one thread a run), from `data/guha2009/square.toml` and `rhombus.toml`: the steel prisms of
 Guha 2009, chapter 5, into 12 wt% gelatin of 113 kPa (as printed, alpha 8.5). A half model is computed; for the square it has the bits of the whole. Depths in cm. ± is the
-standard error of three runs at speeds times 1, 1.001 and 0.999; a figure without it is one run, whose scatter is 1.7 times that error. W is the distance to the wall, which is fixed; h the side of the
+standard error of three runs over the phase of the mesh; a figure without it is one run, whose scatter is 1.7 times that error. W is the distance to the wall, which is fixed; h the side of the
 square elements beside the middle line. A depth that W or h changes by more than {tolerated:.0f} % is marked "not converged", with what does it;
 where the scatter of a run is as large, the mark can come from that.
 
