@@ -33,7 +33,7 @@ pi3 differs and may: the particle is rigid beside either target ((rho_t v^2 + 10
 {mesh}
 
 The thesis used 204,750 elements (42 per radius here) and prints 2.41 % between that and 288,750. What it does not state (alpha, K, the density of skin) is in `data/guha2009/mesh_study.toml`; the depths themselves
-are not printed, so that the change from mesh to mesh is all there is to compare. One run scatters by about 0.7 % here. [error_vs_time.md](error_vs_time.md) has the ladder with both rules of erosion.
+are not printed, so that the change from mesh to mesh is all there is to compare. One run scatters by about 1 % here. [error_vs_time.md](error_vs_time.md) has the ladder with both rules of erosion.
 
 ## Table 4-1: pairs that give 26 um
 
@@ -41,7 +41,7 @@ are not printed, so that the change from mesh to mesh is all there is to compare
 
 {ridge}
 
-The pair (32 MPa, 0.4) disagrees most, at every alpha, mesh and contact stiffness tried: the printed modulus falls by 42 % from 0.3 to 0.4 and by 22 % from there to 0.5, percal's by 29 and 28 %. Depths at
+The pair (32 MPa, 0.4) disagrees most, at every alpha and mesh tried: the printed modulus falls by 42 % from 0.3 to 0.4 and by 22 % from there to 0.5, percal's by 31 and 27 %. Depths at
 the printed pairs:
 
 {known}

@@ -68,7 +68,7 @@ def gold_table(result):
     mean = lambda ps, key: mean_off([(p["depth_m"], p[key]) for p in ps])
     lsdyna = mean_off([(row["fe_um"], row["penetration_um"]) for row in printed("gold_skin.csv")])
     return text + (f"\n\nMean deviation of percal from LS-DYNA {mean(as_printed, 'thesis_fe_m')}, from the measured depths {mean(as_printed, 'measured_m')}; of LS-DYNA from the "
-                   f"measured depths {lsdyna}; with the identified pair {mean(identified, 'measured_m')}. ± is the standard deviation of three runs.")
+                   f"measured depths {lsdyna}; with the identified pair {mean(identified, 'measured_m')}. ± is the standard deviation of five runs.")
 
 
 def shots_table(result):
