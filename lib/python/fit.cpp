@@ -109,7 +109,7 @@ CurveData data_of(const Numbers& stretch, const Numbers& stress, const std::vect
   data.sources = {{.file = "arrays",
                    .x = "stretch",
                    .y = "stress",
-                   .cauchy = cauchy,
+                   .stress = cauchy ? StressMeasure::cauchy : StressMeasure::nominal,
                    .mode_column = modes.size() != 1,
                    .points = static_cast<int>(count)}};
   return data;

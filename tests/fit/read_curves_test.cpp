@@ -52,7 +52,7 @@ TEST(ReadCurves, StretchOrGammaMeansWhatTheModeNeeds) {
 
 TEST(ReadCurves, ACauchyStressIsRecognisedAndConverted) {
   const auto data = curves("stretch,cauchy_stress_kPa\n1.5,3\n", {.mode = "ET"});
-  EXPECT_TRUE(data.sources[0].cauchy);
+  EXPECT_EQ(data.sources[0].stress, StressMeasure::cauchy);
   EXPECT_DOUBLE_EQ(data.points[0].nominal_stress, 2000);
   EXPECT_DOUBLE_EQ(curves("stretch,true_stress_kPa\n1.5,3\n", {.mode = "UT"}).points[0].nominal_stress, 2000);
   EXPECT_DOUBLE_EQ(curves("gamma,cauchy_stress_kPa\n1.5,3\n", {.mode = "SS"}).points[0].nominal_stress, 3000);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -26,11 +27,12 @@ bool is_scatter(const std::string& name) {
 }
 
 bool may_be_y(const std::string& name) {
-  return contains_any(name, {"stress", "sigma", "cauchy"}) && !is_scatter(name);
+  return contains_any(name, {"stress", "sigma", "cauchy", "piola", "kirchhoff", "pk1", "pk2"}) && !is_scatter(name);
 }
 
 bool may_be_x(const std::string& name) {
-  return contains_any(name, {"stretch", "strain", "gamma", "lambda", "shear"}) && !may_be_y(name) && !is_scatter(name);
+  return contains_any(name, {"stretch", "strain", "gamma", "lambda", "shear"}) && !contains_any(name, {"rate"}) &&
+         !may_be_y(name) && !is_scatter(name);
 }
 
 std::string headers(const CsvTable& table, bool (*wanted)(const std::string&) = nullptr) {
@@ -57,22 +59,6 @@ int single(const CsvTable& table, bool (*wanted)(const std::string&), const char
       fmt::format("no stress-stretch curve{}: no column of {} among {}",
                   depths ? " but depths of shots, which are no input of a curve fit" : "", meaning, headers(table)),
       fmt::format("a column of {}, or the column's name with {}", meaning, option));
-}
-
-Abscissa abscissa_of(const CsvTable& table, int x) {
-  const std::string name = lower_case(table.columns[x].name);
-  const bool stretch = contains_any(name, {"stretch", "lambda"});
-  const bool gamma = contains_any(name, {"gamma", "shear"});
-  if (stretch && gamma) return Abscissa::stretch_or_gamma;
-  if (gamma) return Abscissa::gamma;
-  if (stretch) return Abscissa::stretch;
-  if (contains_any(name, {"strain"})) {
-    if (contains_any(name, {"green", "lagrange"})) return Abscissa::green_lagrange_strain;
-    return contains_any(name, {"true", "log", "hencky"}) ? Abscissa::true_strain : Abscissa::engineering_strain;
-  }
-  throw BadInput({table.file, table.header_line, table.columns[x].header},
-                 "a column whose name does not say what it counts",
-                 "stretch, strain (engineering), true_strain, green_strain or gamma in the header");
 }
 
 bool is_pressure(const CsvColumn& column) {
@@ -103,8 +89,8 @@ FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
   constexpr const char* y_meaning = "stress (a name with stress, sigma or cauchy)";
   found.y = wanted.y.empty() ? single(table, may_be_y, "--y", y_meaning) : table.column(wanted.y);
   found.x = wanted.x.empty() ? single(table, may_be_x, "--x", x_meaning) : table.column(wanted.x);
-  found.abscissa = abscissa_of(table, found.x);
-  found.cauchy = contains_any(lower_case(table.columns[found.y].name), {"cauchy", "true"});
+  found.y_words = stress_words(table, found.y);
+  found.x_words = abscissa_words(table, found.x);
   for (const char* name : {"mode", "deformation"})
     if (!found.mode) found.mode = table.find(name);
   found.error = wanted.error.empty() ? error_column(table, found.y) : table.column(wanted.error);
@@ -139,6 +125,10 @@ double amount_of(double value, Abscissa abscissa, Deformation deformation) {
     if (value <= -0.5)
       throw std::invalid_argument(fmt::format("Green-Lagrange strain {}; accepted: above -0.5", value));
     stretch = stretch_at(value, StrainMeasure::green_lagrange);
+  }
+  if (abscissa == Abscissa::almansi_strain) {
+    if (value >= 0.5) throw std::invalid_argument(fmt::format("Almansi strain {}; accepted: below 0.5", value));
+    stretch = 1 / std::sqrt(1 - 2 * value);
   }
   if (!(stretch > 0 && stretch < 1e6))
     throw std::invalid_argument(

@@ -3,26 +3,24 @@
 #include <optional>
 #include <string>
 
+#include "percal/fit/curve_measures.hpp"
 #include "percal/fit/read_curves.hpp"
 
 namespace percal {
 
-// What the abscissa counts. `stretch_or_gamma`: gamma in simple shear, the stretch in every other deformation.
-enum class Abscissa { stretch, engineering_strain, true_strain, green_lagrange_strain, gamma, stretch_or_gamma };
-
 struct FoundColumns {
   int x;
   int y;
-  Abscissa abscissa;
-  bool cauchy;               // y is a Cauchy stress
+  AbscissaWords x_words;
+  StressWords y_words;
   std::optional<int> mode;   // the column of the deformation's word
   std::optional<int> error;  // the column of the standard errors of y
 };
 
 // The columns the user named, or else those whose names say it: x with stretch, strain, gamma, lambda or shear; y with
-// stress, sigma or cauchy. The standard errors are in a column with sem, se, sd, std, err, error or uncertainty among
+// stress, sigma, cauchy, piola, kirchhoff, pk1 or pk2. The standard errors are in a column with sem, se, sd, std, err, error or uncertainty among
 // its words and a pressure as its unit: the one that begins as y does where there are several, none where that does not
-// decide. Throws BadInput that lists the columns there are.
+// decide. Throws BadInput that lists the columns there are, and as stress_words and abscissa_words do.
 FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted);
 
 // For general biaxial data: the column of the other stretch of a pair (stretch_y for stretch_x, lambda_2 for lambda_1).

@@ -8,6 +8,10 @@
 
 namespace percal {
 
+// Which stress a column holds: first Piola, Cauchy (Kirchhoff: the same at constant volume), second Piola-Kirchhoff, Biot (nominal but in
+// simple shear).
+enum class StressMeasure { nominal, cauchy, second_piola, biot };
+
 struct StressPoint {
   Strained strained;
   double nominal_stress;                      // Pa; the shear stress in simple shear
@@ -18,10 +22,10 @@ struct StressPoint {
 // Where points came from: which columns of which file.
 struct CurveSource {
   std::string file;
-  std::string x, y;          // headers; x of general biaxial data are the two stretches
-  std::string error = {};    // header of the standard errors of y; empty where there are none
-  bool cauchy = false;       // y is a Cauchy stress; the points are nominal already
-  bool mode_column = false;  // the file says the deformation of every row itself
+  std::string x, y;                               // headers; x of general biaxial data are the two stretches
+  std::string error = {};                         // header of the standard errors of y; empty where there are none
+  StressMeasure stress = StressMeasure::nominal;  // of y as the file has it; the points are nominal already
+  bool mode_column = false;                       // the file says the deformation of every row itself
   int points = 0;
 };
 

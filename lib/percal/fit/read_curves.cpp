@@ -57,11 +57,11 @@ std::vector<std::optional<double>> standard_errors(const CsvTable& table, std::o
   return errors;
 }
 
-// A dimensionless column; percent is divided by 100 here, where it means a strain.
-std::vector<double> abscissae(const CsvTable& table, int column) {
+// A dimensionless column; percent becomes a share here, where it means a strain.
+std::vector<double> abscissae(const CsvTable& table, int column, double size) {
   auto values = table.numbers(column, dimension::none);
-  if (is_percent(table.columns[column].unit))
-    for (double& value : values) value /= 100;
+  const double parts = 1 / size;  // a division by 100 rounds better than a product with 0.01
+  for (double& value : values) value /= parts;
   return values;
 }
 
@@ -103,12 +103,14 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   std::vector<Deformation> modes;
   std::vector<double> x, y, across;
   std::vector<std::optional<double>> errors;
-  together({[&] { modes = deformations(table, found, wanted.mode); }, [&] { x = abscissae(table, found.x); },
+  together({[&] { modes = deformations(table, found, wanted.mode); },
+            [&] { x = abscissae(table, found.x, found.x_words.size); },
             [&] { y = table.numbers(found.y, dimension::pressure); },
             [&] { errors = standard_errors(table, found.error); },
             [&] {
-              if (!found.mode && general_biaxial(wanted.mode))
-                across = abscissae(table, partner_column(table, found.x));
+              if (found.mode || !general_biaxial(wanted.mode)) return;
+              const int partner = partner_column(table, found.x);
+              across = abscissae(table, partner, abscissa_words(table, partner).size);
             }});
 
   CurveData data;
@@ -116,11 +118,11 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     StressPoint point{{modes[i], 1, 1}, 0};
     try {
-      point.strained.amount = amount_of(x[i], found.abscissa, modes[i]);
+      point.strained.amount = amount_of(x[i], found.x_words.abscissa, modes[i]);
       if (modes[i] == Deformation::biaxial && across.empty())
         throw std::invalid_argument(
             "general_biaxial in a mode column; accepted: --mode general_biaxial for a whole file");
-      if (!across.empty()) point.strained.across = amount_of(across[i], found.abscissa, modes[i]);
+      if (!across.empty()) point.strained.across = amount_of(across[i], found.x_words.abscissa, modes[i]);
     } catch (const std::invalid_argument& error) {
       faults.add(table.rows[i].line, fmt::format("{}: found {}", x_column.header, error.what()));
       continue;
@@ -130,11 +132,13 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                                                  y[i], largest_stress));
       continue;
     }
-    const auto nominal = [&](double stress) {
-      return found.cauchy ? nominal_of_cauchy(stress, point.strained) : stress;
-    };
-    point.nominal_stress = nominal(y[i]);
-    if (errors[i]) point.standard_error = nominal(*errors[i]);
+    const StressMeasure measure = found.y_words.measure;
+    try {
+      point.nominal_stress = nominal_of(y[i], measure, point.strained);
+      if (errors[i]) point.standard_error = nominal_of(*errors[i], measure, point.strained);
+    } catch (const std::invalid_argument& error) {
+      faults.add(table.rows[i].line, fmt::format("{}: found {}", y_column.header, error.what()));
+    }
     data.points.push_back(point);
   }
   faults.throw_if_any();
@@ -142,7 +146,7 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                           .x = x_column.header,
                           .y = y_column.header,
                           .error = found.error ? table.columns[*found.error].header : "",
-                          .cauchy = found.cauchy,
+                          .stress = found.y_words.measure,
                           .mode_column = found.mode.has_value(),
                           .points = static_cast<int>(data.points.size())});
   return data;

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "percal/base/error.hpp"
@@ -31,14 +31,46 @@ std::string ranges(const std::vector<int>& lines) {
   return text;
 }
 
-// Dimensionless units that quantities do not know, taken as they stand.
-constexpr std::array taken_as_they_stand = {"%",      "pct",        "percent", "wtpct",  "wt%", "wt %",
-                                            "wt_pct", "wt_percent", "vol%",    "volpct", "deg", "\xC2\xB0"};
+// Dimensionless units that quantities do not know. Their numbers stay as they stand; `of_strain` is what 1 of them means as a strain.
+struct PlainUnit {
+  const char* word;
+  std::optional<double> of_strain;
+};
+constexpr double percent = 0.01, permille = 1e-3, micro = 1e-6;
+constexpr PlainUnit plain_units[] = {
+    {"%", percent},
+    {"pct", percent},
+    {"percent", percent},
+    {"perc", percent},
+    {"per cent", percent},
+    {"percentage", percent},
+    {"prozent", percent},
+    {"permille", permille},
+    {"per mille", permille},
+    {"\xE2\x80\xB0", permille},  // the sign of permille
+    {"microstrain", micro},
+    {"ustrain", micro},
+    {"\xC2\xB5\xCE\xB5", micro},  // mu and epsilon, mu as the sign and as the letter
+    {"\xCE\xBC\xCE\xB5", micro},
+    {"--", 1},
+    {"dimensionless", 1},
+    {"unitless", 1},
+    {"wtpct", {}},
+    {"wt%", {}},
+    {"wt %", {}},
+    {"wt_pct", {}},
+    {"wt_percent", {}},
+    {"vol%", {}},
+    {"volpct", {}},
+    {"deg", {}},
+    {"\xC2\xB0", {}},
+};
 
-bool stands_as_it_is(const std::string& unit) {
+const PlainUnit* plain_unit(const std::string& unit) {
   const std::string word = lower_case(unit);
-  return std::any_of(taken_as_they_stand.begin(), taken_as_they_stand.end(),
-                     [&](const char* known) { return word == known; });
+  const auto* found = std::find_if(std::begin(plain_units), std::end(plain_units),
+                                   [&](const auto& known) { return word == known.word; });
+  return found == std::end(plain_units) ? nullptr : found;
 }
 
 bool is_unit(const std::string& text) {
@@ -73,10 +105,24 @@ CsvColumn split_suffix(const std::string& header) {
     tail.insert(tail.begin(), header.substr(underscore + 1, end - underscore - 1));
     end = underscore;
     std::string unit = header.substr(underscore + 1);
-    if (!stands_as_it_is(unit)) unit = quotient(tail);
+    if (!plain_unit(unit)) unit = quotient(tail);
     if (is_unit(unit)) found = {header, header.substr(0, underscore), unit};
   }
   return found;
+}
+
+// "Strain %", "Strain/%", "Stress, kPa", "stress in MPa": a unit behind the last stroke, comma or blank. A single letter or digit
+// behind a blank is a label.
+CsvColumn split_words(const std::string& header) {
+  for (const std::string separator : {" in ", ",", "/", " "}) {
+    const auto at = header.find(separator, 1);
+    const auto last = separator == "/" ? at : header.rfind(separator);  // "velocity/m/s": the first stroke
+    if (last == std::string::npos || last == 0) continue;
+    const std::string name = trimmed(header.substr(0, last)), unit = trimmed(header.substr(last + separator.size()));
+    const bool label = separator == " " && unit.size() < 2 && unit != "%";
+    if (!name.empty() && !label && unit != "1" && is_unit(unit)) return {header, name, unit};
+  }
+  return {header, header, ""};
 }
 
 }  // namespace
@@ -104,13 +150,20 @@ ParsedNumber parse_number(const std::string& cell, bool decimal_comma) {
   return {value, ""};
 }
 
-bool is_percent(const std::string& unit) {
-  const std::string word = lower_case(unit);
-  return word == "%" || word == "pct" || word == "percent";
+std::optional<double> size_of_strain(const std::string& unit) {
+  if (const auto* plain = plain_unit(unit)) return plain->of_strain;
+  return is_unit(unit) && column_unit(unit).dimension == dimension::none ? std::optional(1.0) : std::nullopt;
+}
+
+std::vector<std::string> strain_units() {
+  std::vector<std::string> words;
+  for (const auto& unit : plain_units)
+    if (unit.of_strain) words.push_back(unit.word);
+  return words;
 }
 
 Quantity column_unit(const std::string& unit) {
-  if (stands_as_it_is(unit)) return {1, dimension::none};
+  if (plain_unit(unit)) return {1, dimension::none};
   return parse_unit(unit);
 }
 
@@ -124,7 +177,8 @@ CsvColumn split_header(const std::string& header) {
       if (!name.empty() && (bracket || is_unit(unit))) return {header, name, unit};
     }
   }
-  return split_suffix(header);
+  const CsvColumn with_suffix = split_suffix(header);
+  return with_suffix.unit.empty() ? split_words(header) : with_suffix;
 }
 
 void LineFaults::add(int line, const std::string& what) { faults_.push_back({line, what}); }

@@ -18,7 +18,7 @@ struct ParsedNumber {
 // inside, no thousands separators, no inf or nan, nothing that a double cannot hold.
 ParsedNumber parse_number(const std::string& cell, bool decimal_comma);
 
-// Name and unit of a header: "stress [kPa]", "stress (kPa)" and "stress_kPa" are stress in kPa, "density_kg_m3" is
+// Name and unit of a header: "stress [kPa]", "stress (kPa)", "stress_kPa", "stress/kPa", "stress, kPa" and "stress in kPa" are stress in kPa, "density_kg_m3" is
 // density in kg/m3: of several trailing parts the first multiplies and the others divide. What stands in brackets is
 // always taken as the unit; in parentheses and after '_' only where it is a known unit, so "stretch_x" has none.
 CsvColumn split_header(const std::string& header);
@@ -27,8 +27,12 @@ CsvColumn split_header(const std::string& header);
 // Throws std::invalid_argument that names the unknown unit.
 Quantity column_unit(const std::string& unit);
 
-// Whether the unit counts hundredths: "%", "pct", "percent" (not weight percent).
-bool is_percent(const std::string& unit);
+// What 1 of a unit means as a strain: 0.01 for percent, 1e-6 for microstrain, 1 for "-" and "mm/mm" (and for "um/m", whose numbers
+// column_unit converts already). nullopt for what measures no strain: degrees, weight percent, kPa, unknown words.
+std::optional<double> size_of_strain(const std::string& unit);
+
+// The words besides "-" and quotients such as "mm/mm" that size_of_strain knows.
+std::vector<std::string> strain_units();
 
 // Collects faults line by line; throw_if_any() makes one BadInput of them. The first 50 are told in full, of the rest
 // only the line numbers.

@@ -159,10 +159,12 @@ Table sources_table(const Json& result) {
   Table table{.caption = "The curves", .rows = {{"file", "x", "stress", "points", "SHA-256"}}, .notes = {}};
   for (const Json& source : list(result, "sources")) {
     const std::string error = text(source, "error"), digest = text(source, "sha256");
-    table.rows.push_back({std::filesystem::path(text(source, "file")).filename().string(), text(source, "x"),
-                          text(source, "y") + (text(source, "stress") == "cauchy" ? " (Cauchy, made nominal)" : "") +
-                              (error.empty() ? "" : ", errors " + error),
-                          shown(number(source, "points"), 9), digest.empty() ? absent : digest.substr(0, 16) + "..."});
+    table.rows.push_back(
+        {std::filesystem::path(text(source, "file")).filename().string(), text(source, "x"),
+         text(source, "y") +
+             (text(source, "stress") == "nominal" ? "" : " (" + text(source, "stress") + ", made nominal)") +
+             (error.empty() ? "" : ", errors " + error),
+         shown(number(source, "points"), 9), digest.empty() ? absent : digest.substr(0, 16) + "..."});
   }
   return table;
 }

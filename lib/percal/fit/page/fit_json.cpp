@@ -8,6 +8,7 @@
 
 #include "percal/card/card_json.hpp"
 #include "percal/fit/cards.hpp"
+#include "percal/fit/curve_measures.hpp"
 #include "percal/fit/findings.hpp"
 #include "percal/text/sha256.hpp"
 
@@ -60,7 +61,7 @@ Json to_json(const CurveSource& source) {
           {"x", source.x},
           {"y", source.y},
           {"error", source.error.empty() ? Json(nullptr) : Json(source.error)},
-          {"stress", source.cauchy ? "cauchy" : "nominal"},
+          {"stress", word(source.stress)},
           {"points", source.points}};
 }
 
