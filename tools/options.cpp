@@ -7,6 +7,17 @@
 namespace percal::tools {
 namespace {
 
+// A number of the range; CLI::Range lets nan pass, which is neither below nor above.
+CLI::Validator between(double low, double high) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return good ? std::string() : fmt::format("Value {} not in range [{} - {}]", text, low, high);
+      },
+      fmt::format("FLOAT in [{} - {}]", low, high));
+}
+
 // --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
 void add_common(CLI::App& command, Common& common, bool runs_impacts) {
   command.add_option(
@@ -28,7 +39,7 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
       app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
   command->add_option("scene", impact.scene, "TOML scene")->required();
   command->add_option("--elements-per-radius", impact.elements_per_radius, "mesh, a real number (default: the scene's)")
-      ->check(CLI::Range(1.0, 1000.0));
+      ->check(between(1, 1000));
   command
       ->add_option("--replicates", impact.replicates,
                    fmt::format("runs on meshes of different phase (default: the scene's, {})", usual_replicates))
@@ -99,7 +110,7 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
                                   "elements per radius, four or more (default: 5,7,10,14,20,28; with an erosion length "
                                   "from three elements in it)")
                      ->delimiter(',')
-                     ->check(CLI::Range(1.0, 1000.0))
+                     ->check(between(1, 1000))
                      ->needs(errors);
   auto* replicates = command
                          ->add_option("--replicates", study.replicates,
@@ -143,7 +154,7 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   command->add_flag("--intervals,!--no-intervals", fit.intervals,
                     "profile-likelihood intervals of every parameter (default: yes)");
   command->add_option("--level", fit.level, "confidence level of the intervals (default: 0.95)")
-      ->check(CLI::Range(0.5, 0.9999));
+      ->check(between(0.5, 0.9999));
   command->add_option("--bootstrap", fit.bootstrap, "replicates of each kind of bootstrap (default: none)")
       ->check(CLI::Range(0, 1000000));
   auto* rate_factor = command->add_flag("--rate-factor", fit.rate_factor,

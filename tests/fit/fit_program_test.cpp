@@ -224,7 +224,27 @@ TEST_F(FitProgram, OptionsThatSayNothingAreRefused) {
   for (const std::string stable : {"3", "0:2", "1.5:2", "0.5:0.9", "a:b", "0.3:3x"})
     EXPECT_EQ(fit({treloar_csv, "--stable", stable}).code, 2) << stable;
   EXPECT_EQ(fit({treloar_csv, "--model", "yeoh"}).code, 2);
+  for (const std::string level : {"nan", "-nan", "inf", "1", "x"})
+    EXPECT_EQ(fit({treloar_csv, "--level", level}).code, 2) << level;
   EXPECT_EQ(fit({treloar_csv, "--loss", "cauchy"}).code, 0);
+}
+
+TEST_F(FitProgram, WarningsComeFirstOnThePage) {
+  const std::string file = write("comp.csv",
+                                 "Compressive strain (mm/mm),Compressive stress (kPa)\n0.06,9.33470362\n"
+                                 "0.12,19.64849301\n0.24,45.97632168\n0.42,123.25373471\n");
+  const Ended run = fit({file, "--mode", "compression"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto warning = run.out.find("are turned"), answer = run.out.find("4 points");
+  ASSERT_NE(warning, std::string::npos);
+  EXPECT_LT(warning, answer);
+  const json result = json::parse(fit({file, "--mode", "compression", "--json"}).out);
+  EXPECT_NEAR(result["minima"][0]["mu_Pa"].get<double>(), 50e3, 1);  // made from mu 50 kPa, alpha 4
+  EXPECT_NEAR(result["minima"][0]["alpha"].get<double>(), 4, 1e-4);
+  EXPECT_THAT(fit({file, "--mode", "compression", "--check"}).out, HasSubstr("are turned"));
+  const json soft = json::parse(
+      fit({write("soft.csv", "stretch,stress_Pa\n1.1,1\n1.3,2\n1.5,5\n1.7,9\n"), "--mode", "UT", "--json"}).out);
+  EXPECT_THAT(soft["warnings"].at(0).get<std::string>(), HasSubstr("softer"));
 }
 
 TEST_F(FitProgram, ThePageOfTheFormatNamesEveryKey) {

@@ -226,6 +226,9 @@ void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::v
 
 std::vector<std::string> overall_findings(const CalibrationJob& job, const CalibrationResult& result) {
   std::vector<std::string> sentences;
+  for (const auto& curve : job.curves)
+    for (const auto& source : curve.data.sources)
+      sentences.insert(sentences.end(), source.warnings.begin(), source.warnings.end());
   if (job.solver.contact_stiffness_was_given) sentences.push_back(std::string(contact_stiffness_warning) + ".");
   held_against_free(job, result, sentences);
   spread_over_hypotheses(job, result, sentences);

@@ -27,6 +27,7 @@ struct CurveSource {
   StressMeasure stress = StressMeasure::nominal;  // of y as the file has it; the points are nominal already
   bool mode_column = false;                       // the file says the deformation of every row itself
   int points = 0;
+  std::vector<std::string> warnings = {};  // sentences: what in the file contradicts itself, what was done about it
 };
 
 struct CurveData {

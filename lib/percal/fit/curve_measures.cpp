@@ -102,8 +102,9 @@ bool has(const std::vector<std::string>& words, const std::string& part) {
                      [&](const auto& word) { return word.find(part) != std::string::npos; });
 }
 
-bool says_compression(const std::vector<std::string>& words) {
-  return has(words, "compressive") || has(words, "compression");
+// "Compressive strain", but not "tension_compression_strain".
+bool is_compressive(const std::vector<std::string>& words) {
+  return (has(words, "compressive") || has(words, "compression")) && !has(words, "tensi");
 }
 
 template <class Table>
@@ -187,7 +188,7 @@ std::vector<std::string> words_of_header(const std::string& name) {
 StressWords stress_words(const CsvTable& table, int column) {
   const CsvColumn& y = table.columns[static_cast<std::size_t>(column)];
   const auto measure = measure_named<StressMeasure>(table, y, stress_table, [](const std::string&) { return false; });
-  return {measure.value_or(StressMeasure::nominal), says_compression(words_of_header(y.name))};
+  return {measure.value_or(StressMeasure::nominal), is_compressive(words_of_header(y.name))};
 }
 
 AbscissaWords abscissa_words(const CsvTable& table, int column) {
@@ -205,7 +206,7 @@ AbscissaWords abscissa_words(const CsvTable& table, int column) {
     if (of_word) size = of_word;
     return of_word.has_value();
   });
-  AbscissaWords found{measure.value_or(Abscissa::engineering_strain), size_of(table, x, size), says_compression(words)};
+  AbscissaWords found{measure.value_or(Abscissa::engineering_strain), size_of(table, x, size), is_compressive(words)};
   if (stretch || gamma) {
     if (measure && !(gamma && !stretch && *measure == Abscissa::engineering_strain))
       throw BadInput(place, "a measure of strain in the name of a stretch or of a shear",

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "percal/fit/curve_columns.hpp"
+#include "percal/fit/curve_warnings.hpp"
 #include "percal/text/csv_cells.hpp"
 #include "percal/units/words.hpp"
 
@@ -40,6 +41,18 @@ std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns&
   }
   faults.throw_if_any();
   return all;
+}
+
+// Which rows a word calls compression: the mode's, or that of a header.
+std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& found, const std::string& mode,
+                                  const std::vector<Deformation>& modes) {
+  std::vector<bool> compressed;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string& word = found.mode ? table.rows[i].cells[static_cast<std::size_t>(*found.mode)] : mode;
+    const bool by_header = found.x_words.compressive || found.y_words.compressive;
+    compressed.push_back(modes[i] != Deformation::simple_shear && (by_header || says_compression(word)));
+  }
+  return compressed;
 }
 
 // Empty cells are no error known; a negative one is refused.
@@ -101,11 +114,13 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   const FoundColumns found = find_columns(table, wanted);
   const CsvColumn &x_column = table.columns[found.x], &y_column = table.columns[found.y];
   std::vector<Deformation> modes;
-  std::vector<double> x, y, across;
+  CurveNumbers numbers;
+  auto& [x, y] = numbers;
+  std::vector<double> across;
   std::vector<std::optional<double>> errors;
   together({[&] { modes = deformations(table, found, wanted.mode); },
-            [&] { x = abscissae(table, found.x, found.x_words.size); },
-            [&] { y = table.numbers(found.y, dimension::pressure); },
+            [&] { numbers.x = abscissae(table, found.x, found.x_words.size); },
+            [&] { numbers.y = table.numbers(found.y, dimension::pressure); },
             [&] { errors = standard_errors(table, found.error); },
             [&] {
               if (found.mode || !general_biaxial(wanted.mode)) return;
@@ -114,6 +129,8 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
             }});
 
   CurveData data;
+  std::vector<std::string> warnings;
+  turn_compression(numbers, table, found, compressed_rows(table, found, wanted.mode, modes), warnings);
   LineFaults faults(table.file);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     StressPoint point{{modes[i], 1, 1}, 0};
@@ -142,13 +159,16 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
     data.points.push_back(point);
   }
   faults.throw_if_any();
+  const auto doubts = implausible(table, found, x, data.points);
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   data.sources.push_back({.file = table.file,
                           .x = x_column.header,
                           .y = y_column.header,
                           .error = found.error ? table.columns[*found.error].header : "",
                           .stress = found.y_words.measure,
                           .mode_column = found.mode.has_value(),
-                          .points = static_cast<int>(data.points.size())});
+                          .points = static_cast<int>(data.points.size()),
+                          .warnings = warnings});
   return data;
 }
 

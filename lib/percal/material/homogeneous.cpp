@@ -29,6 +29,13 @@ constexpr std::array<std::pair<const char*, Deformation>, 18> words = {{
     {"generalbiaxial", Deformation::biaxial},
 }};
 
+std::string plain_word(const std::string& text) {
+  std::string plain;
+  for (unsigned char c : text)
+    if (c != '-' && c != '_' && c != ' ') plain += static_cast<char>(std::tolower(c));
+  return plain;
+}
+
 }  // namespace
 
 PrincipalPair principal_pair(const Strained& strained) {
@@ -68,12 +75,15 @@ double nominal_of_cauchy(double cauchy, const Strained& strained) {
 }
 
 std::optional<Deformation> deformation_of(const std::string& text) {
-  std::string plain;
-  for (unsigned char c : text)
-    if (c != '-' && c != '_' && c != ' ') plain += static_cast<char>(std::tolower(c));
+  const std::string plain = plain_word(text);
   const auto* found = std::find_if(words.begin(), words.end(), [&](const auto& known) { return plain == known.first; });
   if (found == words.end()) return std::nullopt;
   return found->second;
+}
+
+bool says_compression(const std::string& word) {
+  const std::string plain = plain_word(word);
+  return plain == "compression" || plain == "uniaxialcompression";
 }
 
 std::string word(Deformation deformation) {

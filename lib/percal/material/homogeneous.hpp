@@ -59,6 +59,9 @@ double nominal_of_cauchy(double cauchy, const Strained& strained);
 // shear, simple_shear, general_biaxial. nullopt for other words.
 std::optional<Deformation> deformation_of(const std::string& word);
 
+// Whether the word says that the test is compression: compression, uniaxial_compression.
+bool says_compression(const std::string& word);
+
 // "uniaxial", "equibiaxial", "planar", "planar_held", "simple_shear", "general_biaxial".
 std::string word(Deformation deformation);
 

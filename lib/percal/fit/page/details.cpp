@@ -155,6 +155,12 @@ Section solids_section(const Json& result) {
   return section;
 }
 
+Section warnings_section(const Json& result) {
+  Section section{.id = "warnings", .title = "Read this first", .blocks = {}, .detail = Detail::answer};
+  add(section, List{texts(at(result, "warnings")), Tone::warning});
+  return section;
+}
+
 Table sources_table(const Json& result) {
   Table table{.caption = "The curves", .rows = {{"file", "x", "stress", "points", "SHA-256"}}, .notes = {}};
   for (const Json& source : list(result, "sources")) {

@@ -9,6 +9,7 @@
 #include "percal/card/card_json.hpp"
 #include "percal/fit/cards.hpp"
 #include "percal/fit/curve_measures.hpp"
+#include "percal/fit/curve_warnings.hpp"
 #include "percal/fit/findings.hpp"
 #include "percal/text/sha256.hpp"
 
@@ -277,10 +278,22 @@ Json to_json(const RateCurve& curve) {
 
 }  // namespace
 
+namespace {
+
+void add_warnings(Json& result, const std::vector<std::string>& sentences) {
+  for (const auto& sentence : sentences) result["warnings"].push_back(sentence);
+}
+
+}  // namespace
+
 Json read_to_json(const FitRequest& request, const std::vector<CurveSource>& sources) {
   Json result = page::result_head("fit", input_of(request));
   result["sources"] = Json::array();
-  for (const CurveSource& source : sources) result["sources"].push_back(to_json(source));
+  result["warnings"] = Json::array();
+  for (const CurveSource& source : sources) {
+    result["sources"].push_back(to_json(source));
+    add_warnings(result, source.warnings);
+  }
   return result;
 }
 
@@ -323,6 +336,7 @@ Json fit_to_json(const FitRequest& request, const FinishedFit& found, const page
                  {"findings", sentences},
                  {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},
                  {"cost", page::cost_to_json(cost)}});
+  if (!fit.minima.empty()) add_warnings(result, implausible_modulus(small_strain_modulus(fit.minima[0].solid)));
   return result;
 }
 
@@ -351,6 +365,7 @@ Json rate_factor_to_json(const FitRequest& request, const RatePair& pair, const 
                  {"data", data},
                  {"findings", found.findings},
                  {"cost", page::cost_to_json(cost)}});
+  add_warnings(result, implausible_modulus(found.mu_slow.value));
   return result;
 }
 

@@ -204,9 +204,9 @@ Page fit_page(const Json& result) {
   Page page{.title = "Fit of " + model_words(result) + " to " + file_words(result),
             .summary = summary_of(result),
             .sections = {}};
-  for (auto section :
-       {result_section, findings_section, models_section, curves_section, parameters_section, minima_section,
-        stability_section, solids_section, sources_section, left_out_points_section, provenance_section, input_section})
+  for (auto section : {warnings_section, result_section, findings_section, models_section, curves_section,
+                       parameters_section, minima_section, stability_section, solids_section, sources_section,
+                       left_out_points_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }
@@ -214,7 +214,10 @@ Page fit_page(const Json& result) {
 Page read_page(const Json& read) {
   Section section{.id = "curves", .title = "What would be fitted", .blocks = {}, .detail = Detail::answer};
   add(section, sources_table(read));
-  return {.title = file_words(read), .summary = "", .sections = {section}};
+  Page page{.title = file_words(read), .summary = "", .sections = {}};
+  add(page, warnings_section(read));
+  add(page, section);
+  return page;
 }
 
 }  // namespace percal

@@ -97,7 +97,7 @@ Page rate_factor_page(const Json& result) {
       fmt::format("The stress at the high rate is {} times that at the low rate ({} interval {}).",
                   shown(number(factor, "value")), level_words(result), interval_words(factor, dimension::none));
   for (auto section :
-       {factor_section, findings_section, pair_section, alone_section, provenance_section, input_section})
+       {warnings_section, factor_section, findings_section, pair_section, alone_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }

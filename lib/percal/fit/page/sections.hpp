@@ -64,6 +64,7 @@ const Json& about(const Json& result, std::size_t minimum);  // its intervals; n
 bool has_intervals(const Json& result);
 std::string level_of(const Json& result);  // "95 % interval"
 
+Section warnings_section(const Json& result);  // what must be read before the answer; none for a plausible curve
 Table sources_table(const Json& result);  // files, columns, SHA-256
 Section parameters_section(const Json& result);
 Section minima_section(const Json& result);
