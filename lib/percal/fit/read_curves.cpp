@@ -130,6 +130,11 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
 
   CurveData data;
   std::vector<std::string> warnings;
+  if (!table.passed_over.empty())
+    warnings.push_back(
+        fmt::format("{}: the table starts at line {}; {} before it {} passed over.", table.file, table.header_line,
+                    table.passed_over.size() == 1 ? "1 line" : fmt::format("{} lines", table.passed_over.size()),
+                    table.passed_over.size() == 1 ? "is" : "are"));
   turn_compression(numbers, table, found, compressed_rows(table, found, wanted.mode, modes), warnings);
   LineFaults faults(table.file);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {

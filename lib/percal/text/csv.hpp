@@ -31,7 +31,8 @@ class CsvTable {
  public:
   std::string file;
   CsvDialect dialect;
-  int header_line = 0;  // 1-based
+  int header_line = 0;           // 1-based
+  std::vector<int> passed_over;  // lines of text before the table
   std::vector<CsvColumn> columns;
   std::vector<CsvRow> rows;
 

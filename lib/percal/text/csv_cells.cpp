@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 
 #include "percal/base/error.hpp"
@@ -181,19 +182,36 @@ CsvColumn split_header(const std::string& header) {
   return with_suffix.unit.empty() ? split_words(header) : with_suffix;
 }
 
+bool is_unit_word(const std::string& text) { return is_unit(text); }
+
+std::string bare_unit(const std::string& cell) {
+  const bool framed =
+      cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
+  return framed ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
 void LineFaults::add(int line, const std::string& what) { faults_.push_back({line, what}); }
 
 std::string LineFaults::message() const {
   auto sorted = faults_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Fault& a, const Fault& b) { return a.line < b.line; });
-  std::string text;
+  std::vector<std::string> told;
+  std::map<std::string, std::vector<int>> lines_of;
   std::vector<int> rest;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    if (i >= told_in_full) {
-      rest.push_back(sorted[i].line);
+  for (const auto& [line, what] : sorted) {
+    const bool known = lines_of.contains(what);
+    if (!known && told.size() >= told_in_full) {
+      rest.push_back(line);
       continue;
     }
-    text += fmt::format("{}{}:{}: {}", text.empty() ? "" : "\n", file_, sorted[i].line, sorted[i].what);
+    if (!known) told.push_back(what);
+    lines_of[what].push_back(line);
+  }
+  std::string text;
+  for (const auto& what : told) {
+    const auto& lines = lines_of[what];
+    text += fmt::format("{}{}:{}: {}", text.empty() ? "" : "\n", file_, lines[0], what);
+    if (lines.size() > 1) text += " (also lines " + ranges({lines.begin() + 1, lines.end()}) + ")";
   }
   if (!rest.empty()) text += fmt::format("\n{}: also lines {}", file_, ranges(rest));
   return text;

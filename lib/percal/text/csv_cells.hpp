@@ -34,7 +34,14 @@ std::optional<double> size_of_strain(const std::string& unit);
 // The words besides "-" and quotients such as "mm/mm" that size_of_strain knows.
 std::vector<std::string> strain_units();
 
-// Collects faults line by line; throw_if_any() makes one BadInput of them. The first 50 are told in full, of the rest
+// Whether the text is a unit that percal knows.
+bool is_unit_word(const std::string& text);
+
+// Without its brackets: "[kPa]" and "(kPa)" are kPa.
+std::string bare_unit(const std::string& cell);
+
+// Collects faults line by line; throw_if_any() makes one BadInput of them. Equal faults are one line, the first
+// 50 different ones are told in full, of the rest
 // only the line numbers.
 class LineFaults {
  public:
