@@ -1,6 +1,6 @@
 // study: error against run time, omissions, extremes.
 //
-// A ladder of meshes and what it converges to; everything left out switched back on, one at a time; 124 extreme
+// A ladder of meshes and what it converges to; everything left out switched back on, one at a time; 122 extreme
 // impacts.
 //
 // See docs/theory/errors.md, docs/formats/study.md.

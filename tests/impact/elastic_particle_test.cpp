@@ -227,6 +227,23 @@ TEST(ElasticParticle, ASoftOneDeformsAndStops) {
 }
 
 // A ring where the sphere is thickest stands further out, the lowest point nearer to the middle.
+// As dense and as soft as the target, it is squeezed to half its length, and its outline folds. Bits differ between instruction levels,
+// and one run of some sixty still fails: three of 27 may.
+TEST(ElasticParticle, OneAsSoftAsTheTargetKeepsItsEnergy) {
+  int kept = 0, runs = 0;
+  for (const int elements_per_radius : {7, 8, 10}) {
+    Problem p = setting_s(elements_per_radius);
+    p.density_ratio = 1;
+    p.depth = 12;
+    for (const Problem& replicate : replicates_of(with_elastic(p, 3 * p.mu()), 9)) {
+      const ImpactResult result = run_impact(replicate);
+      ++runs;
+      kept += result.outcome == Outcome::stopped && std::abs(result.energy.closure()) < 0.05;
+    }
+  }
+  EXPECT_GE(kept, runs - 3);
+}
+
 TEST(ElasticParticle, ItFlattensWhereItStrikes) {
   Cloud cloud(with_elastic(dent(), 5));
   const double height = cloud.sphere.tip() - cloud.sphere.top();

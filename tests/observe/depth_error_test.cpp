@@ -105,6 +105,13 @@ TEST_F(DepthErrorTest, WithALengthSaysWhatTheElementsLeave) {
   EXPECT_NEAR(*found.of(DepthErrorSource::mesh_phase).half_width, 2.7764 * 0.2e-3, 1e-8);
 }
 
+TEST_F(DepthErrorTest, AStudyKnowsThePhaseOfASingleRun) {
+  penetration.depths.resize(1);
+  penetration.standard_error.reset();
+  EXPECT_FALSE(error().of(DepthErrorSource::mesh_phase).half_width);
+  EXPECT_NEAR(*error({.noise = 0.01}).of(DepthErrorSource::mesh_phase).half_width, 1.96 * 0.01 * *penetration.depth, 1e-6);
+}
+
 TEST_F(DepthErrorTest, WhatWasMeasuredStandsForTheRuleWithTheRestOfItsSeries) {
   ErrorEvidence evidence;
   for (const DepthErrorSource source : {DepthErrorSource::wall, DepthErrorSource::time_step, DepthErrorSource::bulk})

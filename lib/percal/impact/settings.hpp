@@ -101,6 +101,10 @@ inline constexpr double particle_step_change = 0.02;
 // a soft sphere. Smaller: overlaps stay.
 inline constexpr double overlap_taken_back = 0.2;
 
+// A gap is believed to have opened this many times as fast as node and outline close: where a soft sphere's outline folds, a node near it
+// is suddenly deep inside, and what takes it back at once is a blow. More than one, since the outline is curved.
+inline constexpr double most_over_closing = 2;
+
 // Its own steps in one of the march's; one that needs more is not run, for a rigid one will do.
 inline constexpr int most_particle_steps = 200;
 

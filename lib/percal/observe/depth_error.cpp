@@ -14,6 +14,10 @@ namespace {
 
 double student(int runs) { return student_quantile(0.5 + depth_error_level / 2, runs - 1); }
 
+double normal_half_width(double standard_error) {
+  return normal_quantile(0.5 + depth_error_level / 2) * standard_error;
+}
+
 // The rest of an effect's series: a step of second order, K by the square of the Mach number, a wall without an order.
 double whole_over_measured(DepthErrorSource source) {
   if (source == DepthErrorSource::time_step) return 1 / (1 - finer_step * finer_step);
@@ -45,6 +49,10 @@ ErrorPart phase_part(const Penetration& penetration, const ErrorEvidence& eviden
             fmt::format("standard error of (4 d({:.4g}) - d({:.4g}))/3, {} runs on each mesh, times Student's t",
                         line->finer_elements_per_radius, line->elements_per_radius, line->replicates)};
   const int runs = static_cast<int>(penetration.depths.size());
+  if (evidence.noise)
+    return {DepthErrorSource::mesh_phase, normal_half_width(*evidence.noise * *penetration.depth),
+            fmt::format("the scene's study of error against time: what {} run{} scatter{} by on this mesh", runs,
+                        runs == 1 ? "" : "s", runs == 1 ? "s" : "")};
   if (runs < 2)
     return {DepthErrorSource::mesh_phase, std::nullopt, "one run does not show it: two replicates or more do"};
   return {DepthErrorSource::mesh_phase, phase_half_width(penetration.standard_error, runs),
@@ -57,8 +65,7 @@ ErrorPart size_part(const Scene& scene, double depth, const ErrorEvidence& evide
   if (const auto& line = evidence.extrapolation)
     return {DepthErrorSource::mesh_size, line->model_error, "how much farther a line in h would go, and 1 % at least"};
   if (evidence.discretisation)
-    return {DepthErrorSource::mesh_size,
-            normal_quantile(0.5 + depth_error_level / 2) * *evidence.discretisation * depth,
+    return {DepthErrorSource::mesh_size, normal_half_width(*evidence.discretisation * depth),
             "the scene's study of error against time, by the fitted curve to h = 0"};
   if (const auto share = element_over_erosion_length(scene))
     return {

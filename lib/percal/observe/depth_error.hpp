@@ -58,8 +58,8 @@ struct Extrapolation {
 struct ErrorEvidence {
   std::vector<MeasuredEffect> effects = {};  // sources without one go by rule
   std::optional<Extrapolation> extrapolation = {};
-  // Share of the depth, a standard error, where a study of the scene says so.
-  std::optional<double> discretisation = {};
+  // Shares of the depth, standard errors, where a study of the scene says so: of the element's size, and of the runs' mean.
+  std::optional<double> discretisation = {}, noise = {};
   std::vector<std::string> notes = {};  // what was asked for and could not be measured, and why
 };
 

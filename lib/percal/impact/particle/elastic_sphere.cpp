@@ -65,6 +65,7 @@ ElasticSphereRun::ElasticSphereRun(const Problem& problem, const Disc& disc)
   body_.forces();
   follow_outline();
   look_at_step();
+  first_inverse_step_ = std::sqrt(own_inverse_square_step_);
   const StepLimits limits = step_limits(problem);
   const double steps = steps_in(limits.time_step_factor * limits.first_step / rates_of(problem));
   if (problem.geometry != Geometry::axisymmetric)
@@ -123,11 +124,11 @@ double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 }  // namespace
 
-// Within the step a wave of the sphere crosses as many elements as it takes own steps: so much mass stands behind a node of the
-// outline, at most all of it. Projected Gauss-Seidel.
+// Within the step a wave of the sphere at rest crosses as many elements as it takes steps at its limit: so much mass stands behind a
+// node of the outline, at most all of it. Projected Gauss-Seidel.
 double ElasticSphereRun::meet(std::vector<Touch>& touches, ContactColumns) {
   if (touches.empty()) return 0;
-  const double depth = steps_in(ahead_), whole_speed = -speed();  // upwards
+  const double depth = std::max(1.0, ahead_ * first_inverse_step_), whole_speed = -speed();  // upwards
   std::vector<OutlineTouch> on;
   std::vector<Point> velocity, impulse(boundary_.size(), Point{});
   std::vector<double> mass;
@@ -138,15 +139,19 @@ double ElasticSphereRun::meet(std::vector<Touch>& touches, ContactColumns) {
   std::vector<double> compliance;
   for (Touch& touch : touches) {
     on.push_back(on_outline(touch));
-    double sum = touch.steepness() / touch.mass;
-    if (ahead_ > 0) {
-      const Inside was = outline_.inside({touch.from_x, -touch.from_z});
-      if (was.ways > 0) touch.rate -= (1 - overlap_taken_back) * was.gap / ahead_;
-    }
+    double sum = touch.steepness() / touch.mass, closing = -touch.now, ends = 0;
     for (int k = 0; k < on.back().count; ++k) {
       const int b = on.back().node[k];
-      sum += dot(on.back().by[k], on.back().by[k]) / mass[b];
-      if (ahead_ > 0) touch.rate += dot(on.back().by[k], {velocity[b][0], velocity[b][1] - whole_speed});
+      const Point& by = on.back().by[k];
+      sum += dot(by, by) / mass[b];
+      closing += dot(by, velocity[b]);
+      ends += dot(by, {velocity[b][0], velocity[b][1] - whole_speed});
+    }
+    if (ahead_ > 0) {
+      const double had = outline_.inside({touch.from_x, -touch.from_z}).gap / ahead_;
+      const double foreseen = touch.rate + ends - (1 - overlap_taken_back) * had;
+      const double believed = most_over_closing * std::max(0.0, closing) + overlap_taken_back * had;
+      touch.rate = std::min(foreseen, believed);
     }
     compliance.push_back(sum);
   }

@@ -78,6 +78,7 @@ class ElasticSphereRun {
   double ahead_ = 0, way_ahead_ = 0;      // the time that is foreseen, and how far down it leads
   double rest_work_ = 0;                  // done on the body by what drift() gave out
   double own_inverse_square_step_ = 0;    // 1/dt^2 of the body
+  double first_inverse_step_ = 0;         // 1/dt of the body at rest
   int moves_to_look_ = 0;
   std::string failure_;
 };

@@ -67,11 +67,14 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, double depth) 
           {"reused", run.reused}};
 }
 
-// Null where there is no depth. A study's error of the mesh holds for the depth that it chose the mesh for.
+// Null where there is no depth. A study's errors hold for the depth that it chose mesh and replicates for.
 Json error_to_json(const ImpactFindings& f) {
   if (!f.penetration.depth) return nullptr;
   ErrorEvidence evidence = f.evidence;
-  if (f.accuracy) evidence.discretisation = f.accuracy->discretisation_error;
+  if (f.accuracy) {
+    evidence.discretisation = f.accuracy->discretisation_error;
+    evidence.noise = f.accuracy->noise_error;
+  }
   return depth_error_to_json(depth_error(f.scene, f.reduction, f.penetration, evidence));
 }
 
