@@ -174,7 +174,7 @@ def findings(result):
 def cost_text(result):
     cost = result["cost"]
     return (f"{cost['runs']} runs done, {cost['reused']} reused, {cost['cpu_s']:.0f} s of processor time in runs, {cost['wall_s']:.0f} s in all, "
-            f"{processor()}, {result['isa']}, two threads. {cost['advice']}\n")
+            f"{processor()}, {cost['isa']}, two threads. {cost['advice']}\n")
 
 
 def skin_part(result):
