@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "commands.hpp"
 #include "element_size.hpp"
@@ -25,22 +24,12 @@ namespace {
 
 using nlohmann::json;
 
-double density_of(const std::string& text) {
-  const std::string accepted = "a positive density with its unit, such as \"1010 kg/m3\"";
-  const Place place{"", 0, "--density"};
-  try {
-    const Quantity density = parse_quantity(text);
-    if (density.dimension == dimension::density && density.value > 0) return density.value;
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(place, in_quotes(text) + " (" + error.what() + ")", accepted);
-  }
-  throw BadInput(place, in_quotes(text), accepted);
-}
-
 // --density, --bulk-to-shear or --nu, and --name or --card.
 CardRequest request_of(const CardArguments& card) {
   CardRequest request{.name = card.name};
-  if (!card.density.empty()) request.density = density_of(card.density);
+  if (!card.density.empty())
+    request.density = positive_quantity(card.density, "--density", dimension::density,
+                                        "a positive density with its unit, such as \"1010 kg/m3\"");
   if (card.bulk_to_shear && !(*card.bulk_to_shear > 0 && std::isfinite(*card.bulk_to_shear)))
     throw BadInput({"", 0, "--bulk-to-shear"}, std::to_string(*card.bulk_to_shear), "a positive number K/mu");
   if (card.nu && !(*card.nu > -1 && *card.nu < 0.5))

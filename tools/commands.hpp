@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "percal/base/error.hpp"
+#include "percal/units/quantity.hpp"
 
 namespace percal::tools {
 
@@ -147,5 +148,9 @@ Exit run_man(const ManArguments&, const DescribedCommand& program);
 // Where a command's files go: NAME.out in the working folder, NAME the stem of its first input, or what --out says; empty where --out
 // is none. Throws IoFailure where the folder cannot be written to.
 std::string out_folder(const std::string& first_input, const Common&);
+
+// What an option says, in SI. Throws BadInput, which names the option and what is accepted.
+double positive_quantity(const std::string& text, const std::string& option, const Dimension& wanted,
+                         const std::string& accepted);
 
 }  // namespace percal::tools

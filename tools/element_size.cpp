@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 
 #include "percal/base/progress.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -18,18 +17,6 @@ struct NamedScene {
   std::string name;
   Scene scene;
 };
-
-double length_of(const std::string& text, const std::string& key) {
-  const std::string accepted = "a positive length with its unit, such as \"0.1 mm\"";
-  const Place place{"", 0, key};
-  try {
-    const Quantity length = parse_quantity(text);
-    if (length.dimension == dimension::length && length.value > 0) return length.value;
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(place, in_quotes(text) + " (" + error.what() + ")", accepted);
-  }
-  throw BadInput(place, in_quotes(text), accepted);
-}
 
 // The scene's target is what the card says: calibrate and identify write the scenes of all their cards to one folder.
 bool is_of(const Scene& scene, const CardMaterial& material) {
@@ -72,7 +59,8 @@ const NamedScene& chosen(const std::vector<NamedScene>& scenes, const CardArgume
 
 std::optional<StrainAtSize> strain_for_elements(const CardArguments& card, const CardMaterial& material,
                                                 const Common& common) {
-  const double element = length_of(card.element_size, "--element-size");
+  const double element = positive_quantity(card.element_size, "--element-size", dimension::length,
+                                           "a positive length with its unit, such as \"0.1 mm\"");
   if (!material.erosion)
     throw BadInput(Place{.file = card.result, .line = 0, .key = "--element-size"}, "a card without an erosion strain",
                    "one with it");

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 
 #include "colour.hpp"
@@ -13,8 +14,21 @@
 #include "commands.hpp"
 #include "percal/base/error.hpp"
 #include "percal/text/file.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal::tools {
+
+double positive_quantity(const std::string& text, const std::string& option, const Dimension& wanted,
+                         const std::string& accepted) {
+  const Place place{"", 0, option};
+  try {
+    const Quantity quantity = parse_quantity(text);
+    if (quantity.dimension == wanted && quantity.value > 0) return quantity.value;
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(place, in_quotes(text) + " (" + error.what() + ")", accepted);
+  }
+  throw BadInput(place, in_quotes(text), accepted);
+}
 
 std::string out_folder(const std::string& first_input, const Common& common) {
   if (common.out == "none") return "";

@@ -134,7 +134,6 @@ bool heads_most(const std::vector<CsvLine>& lines, char separator) {
 
 }  // namespace
 
-// The cells of a line, trimmed; a quote within a quoted cell is doubled. nullopt where a quoted cell is not closed.
 std::optional<std::vector<std::string>> split_cells(const std::string& line, char separator) {
   const auto blank = [&](char c) { return is_blank(c) && c != separator; };
   std::vector<std::string> cells;

@@ -11,7 +11,7 @@ struct CsvLine {
   std::string text;
 };
 
-// The cells of a line, trimmed; nullopt where a quoted cell is not closed.
+// The cells of a line, trimmed; a quote within a quoted cell is doubled. nullopt where a quoted cell is not closed.
 std::optional<std::vector<std::string>> split_cells(const std::string& line, char separator);
 
 struct CsvLayout {
