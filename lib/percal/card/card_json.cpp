@@ -222,12 +222,12 @@ CardMaterial card_of_result(const std::string& text, const std::string& file, co
   if (!request.name.empty()) material.name = request.name;
   if (request.density) material.density = *request.density;
   if (request.bulk_to_shear) material.bulk_modulus = *request.bulk_to_shear * shear_modulus(material);
-  if (std::isnan(material.density) || std::isnan(material.bulk_modulus))
+  if (request.complete && (std::isnan(material.density) || std::isnan(material.bulk_modulus)))
     card.at(std::isnan(material.density) ? "density_kg_m3" : "bulk_modulus_Pa")
         .refuse(
             "a number, or beside a fit, whose curves tell neither, --density \"1010 kg/m3\" and --bulk-to-shear NUMBER "
             "or --nu NUMBER");
-  check(material, card.place);
+  check_solid(material, card.place);
   return material;
 }
 
