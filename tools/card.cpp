@@ -90,7 +90,8 @@ ReadCard read(const CardArguments& card) {
   if (start != std::string::npos && text[start] == '{') {
     CardRequest request = request_of(card);
     request.complete = false;
-    return {{card_of_result(text, card.card, request), 0}, "", "si"};
+    const CardMaterial material = card_of_result(text, card.card, request);
+    return {{material, 0}, "", "si", implausible(material)};
   }
   return read_card({text, card.card, card.solver, card.units, card.name});
 }
@@ -166,15 +167,6 @@ json points_of(const CardMaterial& material, const CurveRange& range) {
   return {{"deformation", word(range.deformation)}, {"stretch_or_shear", amounts}, {"nominal_stress_Pa", stresses}};
 }
 
-json as_json(const ReadCard& read) {
-  return {{"card", card_to_json(read.found.material)},
-          {"solver", read.solver.empty() ? json(nullptr) : json(read.solver)},
-          {"units", read.units},
-          {"passed_over", read.found.ignored},
-          {"erodes_otherwise", read.found.erodes_otherwise},
-          {"warnings", read.warnings}};
-}
-
 }  // namespace
 
 Exit run_card_write(const CardArguments& card, const Common& common) {
@@ -204,7 +196,7 @@ Exit run_card_write(const CardArguments& card, const Common& common) {
 Exit run_card_read(const CardArguments& card, const Common& common) {
   const ReadCard found = read(card);
   if (common.json) {
-    fmt::print("{}", page::written(as_json(found)));
+    fmt::print("{}", page::written(read_card_to_json(found)));
   } else {
     fmt::print("{}", summary(found, card.card));
   }
@@ -217,7 +209,7 @@ Exit run_card_check(const CardArguments& card, const Common& common) {
   const CurveRange range = range_of(card);
   if (!card.csv.empty()) write_file(card.csv, csv_card(material, unit_system(found.units), range));
   if (common.json) {
-    json result = as_json(found);
+    json result = read_card_to_json(found);
     result["curve"] = points_of(material, range);
     result["stability"] = stability_of(material);
     fmt::print("{}", page::written(result));

@@ -33,7 +33,7 @@ const std::string no_limits = "     0.000     0.000     0.000     0.000     0.00
 TEST(ForeignLsDyna, SaysEveryLimitOfItsErosion) {
   const FoundCard found = found_card(
       "lsdyna",
-      dyna("0.499", "         1     0.000     0.000     0.000     0.900     0.000     1.000     1.000\n" + no_limits),
+      dyna("0.499", "        01     0.000     0.000     0.000     0.900     0.000     1.000     1.000\n" + no_limits),
       milli);
   EXPECT_DOUBLE_EQ(found.material.terms[0].mu, 40e6);
   EXPECT_FALSE(found.material.erosion);
@@ -113,6 +113,11 @@ TEST(ForeignAbaqus, IsIncompressibleWhereD1IsZeroOrBlank) {
       found_card("calculix", "*MATERIAL, NAME=X\n*HYPERELASTIC, OGDEN, N=1\n0.1, 9., 0.\n", megapascal);
   EXPECT_DOUBLE_EQ(calculix.material.bulk_modulus, 20 * 0.1e6);
   EXPECT_THAT(calculix.ignored, ElementsAre(HasSubstr("CalculiX puts 0.1/mu")));
+  // 0.1 over the sum of all mu, as ccx 2.20 prints it
+  const FoundCard two = found_card(
+      "calculix", "*MATERIAL, NAME=X\n*HYPERELASTIC, OGDEN, N=2\n2000., 4., 1000., -3., 0., 0.\n", megapascal);
+  EXPECT_DOUBLE_EQ(two.material.bulk_modulus, 20 * 3000e6);
+  EXPECT_THAT(two.ignored, ElementsAre(HasSubstr("CalculiX puts 0.1/mu"), HasSubstr("D2 = 0")));
 }
 
 TEST(ForeignAbaqus, HasAMaterialForEachTemperature) {

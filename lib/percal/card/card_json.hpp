@@ -11,10 +11,14 @@
 #include <vector>
 
 #include "percal/card/card_material.hpp"
+#include "percal/card/solver.hpp"
 
 namespace percal {
 
 nlohmann::json card_to_json(const CardMaterial& material);
+// A card that was read: the object under `card`, its program and units, and what a reader should know of it (passed_over,
+// erodes_otherwise, warnings).
+nlohmann::json read_card_to_json(const ReadCard& read);
 nlohmann::json cards_to_json(const std::vector<CardMaterial>& materials);
 
 // Throws BadInput with place.file and the full key for what is missing, of another kind or out of range. A missing

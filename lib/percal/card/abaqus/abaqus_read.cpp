@@ -129,8 +129,11 @@ void read_constants(const Constants& constants, std::size_t terms, const std::st
   }
   for (std::size_t k = 1; k < terms; ++k) {
     const std::string name = "D" + std::to_string(k + 1);
-    if (const double d = number(2 * terms + k, name); d != 0 && d < as_good_as_absent)
-      card.ignored.push_back(name + " (a higher term of the volumetric law)");
+    const double d = number(2 * terms + k, name);
+    const bool replaced = zero_d1.largest > 0 && d <= zero_d1.largest;  // by a number of the program's own
+    if (replaced || (d != 0 && d < as_good_as_absent))
+      card.ignored.push_back(name + (replaced ? " = 0, in whose place CalculiX puts a number of its own" : "") +
+                             " (a higher term of the volumetric law)");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "percal/card/card_text.hpp"
 #include "percal/card/lsdyna/lsdyna.hpp"
 #include "percal/card/read_deck.hpp"
 #include "percal/units/words.hpp"
@@ -153,13 +154,19 @@ void read_erosion(const Deck& deck, const Fields& fields, FoundCard& card) {
       card.ignored.push_back(fmt::format("line {} of *MAT_ADD_EROSION (damage)", block.data[i].number));
 }
 
+// "1", " 01" and "1." are one material.
+bool same_number(const std::string& id, const std::string& other) {
+  const auto number = field_number(id);
+  return number ? number == field_number(other) : trimmed(id) == trimmed(other);
+}
+
 // All *MAT_ADD_... of the material with this number.
 void read_additions(const Deck& deck, const std::string& file, const std::string& id, FoundCard& card) {
   for (const DeckBlock& block : deck.blocks) {
     if (!block.keyword.starts_with("*MAT_ADD_")) continue;
     const Fields fields{block, file, columns_of(deck, block)};
     const std::size_t first = has_title(block) ? 1 : 0;
-    if (trimmed(fields.text(block.line(first, file, "MID"), 0)) != id) continue;
+    if (!same_number(fields.text(block.line(first, file, "MID"), 0), id)) continue;
     if (block.keyword.starts_with("*MAT_ADD_EROSION")) {
       read_erosion(deck, fields, card);
     } else {
@@ -183,7 +190,7 @@ FoundMaterials read_lsdyna_cards(const std::string& text, const std::string& fil
     const Fields fields{block, file, columns_of(deck, block)};
     FoundCard card = read_ogden(fields, units);
     const DeckLine& general = block.data[has_title(block) ? 1 : 0];
-    read_additions(deck, file, trimmed(fields.text(general, 0)), card);
+    read_additions(deck, file, fields.text(general, 0), card);
     found.cards.push_back(card);
   }
   return found;
