@@ -70,6 +70,13 @@ TEST(ForeignLsDyna, HasTermsAlthoughNobodySaysWhichStrainMxepsIs) {
   EXPECT_THAT(found.ignored, ElementsAre(AllOf(HasSubstr("MXEPS"), HasSubstr("not known"), HasSubstr("0.7"))));
 }
 
+TEST(ForeignLsDyna, SaysWhatElseIsAddedToItsMaterial) {
+  const std::string damage = "*MAT_ADD_DAMAGE_GISSMO\n         1\n*MAT_ADD_INELASTICITY\n         2\n";
+  const FoundCard found = found_card("lsdyna", dyna("0.499", "         1\n" + no_limits) + damage, milli);
+  EXPECT_THAT(found.ignored, ElementsAre("*MAT_ADD_DAMAGE_GISSMO (line 10)"));
+  EXPECT_TRUE(found.erodes_otherwise);
+}
+
 // No rubber is auxetic; some decks carry a flag in the sign.
 TEST(ForeignLsDyna, RefusesANegativePoissonsRatio) {
   EXPECT_THAT(card_test::reader_refusal("lsdyna", dyna("-0.4990", "         2\n" + no_limits), milli),

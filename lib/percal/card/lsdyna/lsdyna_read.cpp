@@ -116,6 +116,11 @@ constexpr std::array<std::array<const char*, 8>, 2> limits{
     {{"", "", "MXPRES", "MNEPS", "EFFEPS", "VOLEPS", "", ""},
      {"MNPRES", "SIGP1", "SIGVM", "MXEPS", "EPSSH", "SIGTH", "IMPULSE", "FAILTM"}}};
 
+constexpr const char* unknown_strain =
+    "MXEPS (a largest principal strain whose measure is not known: a comment \"$ strain measure of MXEPS: "
+    "engineering\", "
+    "true or green-lagrange, above it says)";
+
 void read_erosion(const Deck& deck, const Fields& fields, FoundCard& card) {
   const DeckBlock& block = fields.block;
   const std::size_t first = has_title(block) ? 1 : 0;
@@ -134,19 +139,13 @@ void read_erosion(const Deck& deck, const Fields& fields, FoundCard& card) {
       const std::string name = limits[row][field];
       const double value = name.empty() ? 0 : fields.number(line, field, name);
       if (value == 0 || value == off) continue;
-      const bool largest_strain = name == "MXEPS";
-      const auto measure = largest_strain ? measure_of(deck, line.number) : std::nullopt;
+      const auto measure = name == "MXEPS" ? measure_of(deck, line.number) : std::nullopt;
       if (measure && conditions <= 1) {
         card.material.erosion = CardErosion{value, *measure};
-      } else {
-        pass_over(
-            name + (largest_strain && !measure
-                        ? " (a largest principal strain whose measure is not known: \"" + std::string(measure_comment) +
-                              "engineering\", \"true\" or \"green-lagrange\" above it says)"
-                        : ""),
-            value);
-        card.erodes_otherwise = true;
+        continue;
       }
+      pass_over(name == "MXEPS" && !measure ? unknown_strain : name, value);
+      card.erodes_otherwise = true;
     }
   }
   for (std::size_t i = first + 2; i < block.data.size(); ++i)
@@ -171,6 +170,7 @@ void read_additions(const Deck& deck, const std::string& file, const std::string
       read_erosion(deck, fields, card);
     } else {
       card.ignored.push_back(fmt::format("{} (line {})", trimmed(block.written), block.number));
+      card.erodes_otherwise = card.erodes_otherwise || block.keyword.find("DAMAGE") != std::string::npos;
     }
   }
   if (card.material.erosion) check_solid(card.material, Place{.file = file, .line = card.line, .key = ""});
