@@ -230,6 +230,18 @@ TEST(ForeignFebio, ErodesTheMaterialsThatItsAdaptorsName) {
   EXPECT_THAT(other[0].ignored, ElementsAre(HasSubstr("erosion adaptor")));
 }
 
+// K = 2 mu/3 is a Poisson's ratio of 0.
+TEST(ForeignCards, HaveNoAuxeticRubber) {
+  const auto febio = [](const std::string& k) {
+    return refused("febio", "<material type='Ogden'><c1>3</c1><m1>2</m1><k>" + k + "</k></material>");
+  };
+  EXPECT_THAT(febio("0.9"), AllOf(HasSubstr("bulk_modulus_Pa"), HasSubstr("2/3 mu")));
+  EXPECT_EQ(febio("1.1"), "");
+  CardMaterial material = card_test::skin();
+  material.bulk_modulus = 0.6 * shear_modulus(material);
+  for (const Solver& solver : solvers()) EXPECT_THROW(solver.card(material, milli), BadInput) << solver.word;
+}
+
 struct Named {
   const char *solver, *card, *keyword, *law;
 };
