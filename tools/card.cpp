@@ -172,6 +172,9 @@ json points_of(const CardMaterial& material, const CurveRange& range) {
 Exit run_card_write(const CardArguments& card, const Common& common) {
   const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
   CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));
+  if (!material.contradiction.empty() && !card.force)
+    throw BadInput({card.result, 0, "cards"}, "a card whose data contradict each other: " + material.contradiction,
+                   "data that agree; --force writes the card with a warning in it");
   if (!card.element_size.empty()) {
     if (const auto found = strain_for_elements(card, material, common)) {
       if (!found->why_not.empty()) {

@@ -53,6 +53,21 @@ TEST_F(CardProgram, RefusesBadInputWithExitCodeTwo) {
   EXPECT_FALSE(std::filesystem::exists(path("fit.k")));
 }
 
+TEST_F(CardProgram, WritesACardOfContradictoryDataOnlyByForce) {
+  CardMaterial contradicted = card_test::skin();
+  contradicted.contradiction = "skin: the depths alone want another modulus.";
+  write("result.json", nlohmann::json{{"card", card_to_json(contradicted)}}.dump());
+  for (const std::string& solver : solver_words()) {
+    const std::string command = "result.json --solver " + solver;
+    const test::Ended refused = write_card(command);
+    EXPECT_EQ(refused.code, 2) << solver;
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("want another modulus"), HasSubstr("--force")));
+    const test::Ended forced = write_card(command + " --force");
+    EXPECT_EQ(forced.code, 0) << forced.err;
+    EXPECT_THAT(forced.out, HasSubstr("WARNING: the data behind this card contradict each other")) << solver;
+  }
+}
+
 TEST_F(CardProgram, ReadsItsOwnCardsAndWritesThemAgain) {
   for (const std::string& solver : solver_words()) {
     SCOPED_TRACE(solver);

@@ -1,6 +1,6 @@
 #include "percal/calibrate/cards.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +93,10 @@ std::string error_of(const HypothesisResult& result) {
   return shots == 0 ? "" : fmt::format("mean deviation {:.3g} % over the {} depths fitted", 100 * sum / shots, shots);
 }
 
+std::string contradiction_of(const Verdict& verdict) {
+  return verdict.agreement == DataAgreement::disagrees ? fmt::format("{}", fmt::join(verdict.sentences, " ")) : "";
+}
+
 }  // namespace
 
 std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const HypothesisResult& result) {
@@ -112,6 +116,7 @@ std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const Hyp
                       .comments = comments_of(job, hypothesis, static_cast<int>(m), at),
                       .intervals = intervals_of(job, result, material),
                       .fit_error = error_of(result),
+                      .contradiction = contradiction_of(result.verdict),
                       .data = data};
     cards.push_back(std::move(card));
   }

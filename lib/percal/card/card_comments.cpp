@@ -72,6 +72,8 @@ std::vector<std::string> provenance(const CardMaterial& material) {
                         (alpha_known ? " (at this alpha)" : ""));
     }
   }
+  if (!material.contradiction.empty())
+    texts.push_back("WARNING: the data behind this card contradict each other: " + material.contradiction);
   if (!material.fit_error.empty()) texts.push_back("error of the fit: " + material.fit_error);
   for (const CardData& data : material.data) texts.push_back("data: " + data.file + ", SHA-256 " + data.sha256);
   return texts;

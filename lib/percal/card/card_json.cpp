@@ -141,6 +141,7 @@ CardMaterial read_block(const Reader& card) {
   for (const Reader& comment : card.at("comments").entries(texts)) material.comments.push_back(comment.text(texts));
   material.intervals = intervals_of(card.at("intervals"));
   if (const Reader error = card.at("fit_error"); !error.absent()) material.fit_error = error.text("a sentence");
+  if (const Reader why = card.at("contradiction"); !why.absent()) material.contradiction = why.text("a sentence");
   for (const Reader& one : card.at("data").entries("an array of objects")) material.data.push_back(data_of(one));
   return material;
 }
@@ -178,6 +179,7 @@ json card_to_json(const CardMaterial& material) {
   }
   if (material.intervals) card["intervals"] = intervals_to_json(*material.intervals);
   if (!material.fit_error.empty()) card["fit_error"] = material.fit_error;
+  if (!material.contradiction.empty()) card["contradiction"] = material.contradiction;
   for (const CardData& data : material.data) card["data"].push_back({{"file", data.file}, {"sha256", data.sha256}});
   return card;
 }

@@ -1,7 +1,7 @@
 // The common card block of results. Every result of identify, calibrate and fit has the array `cards` of objects
 //   {"name", "density_kg_m3", "mu_true_Pa", "alpha", "bulk_modulus_Pa",
 //    "erosion": {"strain", "measure", "element_over_radius" or null, "element_m" or null} or null, "comments": ["...", ...],
-//    "intervals": {"level", "mu_true_Pa": {"low", "high"}, ...}, "fit_error", "data": [{"file", "sha256"}, ...]}
+//    "intervals": {"level", "mu_true_Pa": {"low", "high"}, ...}, "fit_error", "contradiction", "data": [{"file", "sha256"}, ...]}
 // With several Ogden terms "terms": [{"mu_true_Pa", "alpha"}, ...] stands for mu_true_Pa and alpha. Density and bulk modulus are
 // null where the data do not tell them: a fit's.                                                  docs/formats/cards.md
 #pragma once

@@ -56,7 +56,8 @@ struct CardMaterial {
   std::optional<CardErosion> erosion = {};
   std::vector<std::string> comments = {};  // sources of the data, one text each; written as comment lines
   std::optional<CardIntervals> intervals = {};
-  std::string fit_error = {};  // a sentence; empty where it is not known
+  std::string fit_error = {};      // a sentence; empty where it is not known
+  std::string contradiction = {};  // why the data behind it contradict each other, a sentence; empty: they do not
   std::vector<CardData> data = {};
 };
 

@@ -47,7 +47,7 @@ class CardMaterial:
             erosion.get("measure", "engineering"),
             list(card.get("comments", [])),
             terms,
-            {key: card[key] for key in ("intervals", "fit_error", "data") if card.get(key)},
+            {key: card[key] for key in ("intervals", "fit_error", "contradiction", "data") if card.get(key)},
         )
 
     def _json(self):
