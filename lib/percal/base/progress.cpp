@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "percal/base/printable.hpp"
+
 namespace percal {
 namespace {
 std::atomic<bool> enabled{false};
@@ -16,7 +18,7 @@ constexpr int bar_width = 30;
 void Progress::enable(bool wanted) { enabled = wanted && isatty(STDERR_FILENO) == 1; }
 
 Progress::Progress(std::string label, long total)
-    : label_(std::move(label)), total_(total), visible_(enabled), start_(std::chrono::steady_clock::now()) {
+    : label_(printable(label)), total_(total), visible_(enabled), start_(std::chrono::steady_clock::now()) {
   const Progress* nobody = nullptr;
   if (visible_) shown.compare_exchange_strong(nobody, this);
 }

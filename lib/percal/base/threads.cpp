@@ -1,0 +1,46 @@
+#include "percal/base/threads.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <system_error>
+
+namespace percal {
+
+std::vector<std::thread> threads_to_be_had(int wanted, const std::function<void(int)>& work) {
+  std::vector<std::thread> threads;
+  try {
+    threads.reserve(static_cast<std::size_t>(std::max(wanted, 0)));  // so that none is lost where it cannot grow
+    for (int k = 1; k <= wanted; ++k) threads.emplace_back(work, k);
+  } catch (const std::system_error&) {
+  } catch (const std::bad_alloc&) {
+  }
+  return threads;
+}
+
+int threads_of_this_machine() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+void side_by_side(int threads, int count, const std::function<void(int)>& work) {
+  std::atomic<int> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto take_turns = [&](int) {
+    for (int k = next++; k < count; k = next++) {
+      try {
+        work(k);
+      } catch (...) {
+        next = count;
+        const std::lock_guard lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  auto helpers = threads_to_be_had(std::min(threads, count) - 1, take_turns);
+  take_turns(0);
+  for (auto& helper : helpers) helper.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace percal
