@@ -33,6 +33,10 @@ constexpr const char* schema = R"sql(
 constexpr const char* notes_schema =
     "CREATE TABLE IF NOT EXISTS notes (name TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL) WITHOUT ROWID";
 
+}  // namespace
+
+namespace sqlite {
+
 struct CloseDatabase {
   void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 };
@@ -42,7 +46,9 @@ struct FinalizeStatement {
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 using Statement = std::unique_ptr<sqlite3_stmt, FinalizeStatement>;
 
-}  // namespace
+}  // namespace sqlite
+
+using sqlite::Database, sqlite::Statement;
 
 // One connection, used under the mutex.
 struct Store::Connection {
