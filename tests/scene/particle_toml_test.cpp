@@ -151,7 +151,7 @@ TEST(ParticleToml, ShapesBelongToAGeometry) {
 TEST(ParticleToml, ABallIsGivenByItsDiameterAndItsMass) {
   const Scene bb = read(axisymmetric, "diameter = \"0.177 in\"\nmass = \"5.4 gr\"\n");
   EXPECT_DOUBLE_EQ(bb.particle.radius, 0.177 * 0.0254 / 2);
-  EXPECT_NEAR(bb.particle.density, 7353.7, 0.1) << "steel, made to no close tolerance";
+  EXPECT_NEAR(bb.particle.density, 7354.3, 0.1) << "0.34991 g over 47.580 mm3";
   EXPECT_EQ(read(axisymmetric, "diameter = \"6 mm\"\n" + density), read(axisymmetric, sphere));
   const Scene rod = read(plane, "diameter = \"6 mm\"\nmass = \"2 g\"\nthickness = \"4 mm\"\n");
   EXPECT_DOUBLE_EQ(rod.particle.density, 0.5 / (std::numbers::pi * 9e-6));
