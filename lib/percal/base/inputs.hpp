@@ -1,8 +1,6 @@
 // The files that a command reads, so that nothing it writes replaces one of them: known by device and inode, whatever name or link
 // leads to them.
 #pragma once
-#include <sys/stat.h>
-
 #include <string>
 
 namespace percal {
@@ -17,8 +15,7 @@ class InputsAreKept {
   InputsAreKept& operator=(const InputsAreKept&) = delete;
 };
 
-// Remembers a file as an input. Pipes and devices are none.
-void remember_input(const struct stat& file);
+// Remembers a file as an input. Pipes and devices are none, nor is what is no longer there.
 void remember_input(const std::string& path);
 
 // Throws BadInput where `path` leads to an input.

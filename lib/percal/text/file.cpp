@@ -177,8 +177,21 @@ fs::file_status status_of(const std::string& path) {
 
 bool is_pipe_or_device(const fs::file_status& status) { return fs::exists(status) && !fs::is_regular_file(status); }
 
-// The whole file; its status to `status`.
-std::string content_of(const std::string& path, struct stat& status) {
+}  // namespace
+
+void write_file(const std::string& path, const std::string& content) {
+  const fs::file_status status = status_of(path);
+  if (is_pipe_or_device(status)) return write_in_place(path, content);
+  refuse_to_replace_input(path);
+  // A link stays a link: what it points to is replaced.
+  std::error_code error;
+  const fs::path target = fs::is_regular_file(status) ? fs::canonical(path, error) : fs::path(path);
+  if (error) fail(path, "cannot follow the link", error.value());
+  create_folders(folder_of(target));
+  replace(target, content, path);
+}
+
+std::string read_output(const std::string& path) {
   constexpr std::size_t largest = std::size_t{1} << 30;  // bytes; no input of this program is near it
   if (path.empty() || path.find('\0') != std::string::npos)
     throw BadInput("a file name may not be empty or hold a zero byte");
@@ -188,6 +201,7 @@ std::string content_of(const std::string& path, struct stat& status) {
       throw BadInput(path + ": there is no such file");
     fail(path, "cannot read", errno);
   }
+  struct stat status;
   if (::fstat(file.number(), &status) != 0) fail(path, "cannot read", errno);
   if (S_ISDIR(status.st_mode)) throw BadInput(path + ": is a folder, not a file");
   std::string content;
@@ -210,30 +224,10 @@ std::string content_of(const std::string& path, struct stat& status) {
   }
 }
 
-}  // namespace
-
-void write_file(const std::string& path, const std::string& content) {
-  const fs::file_status status = status_of(path);
-  if (is_pipe_or_device(status)) return write_in_place(path, content);
-  refuse_to_replace_input(path);
-  // A link stays a link: what it points to is replaced.
-  std::error_code error;
-  const fs::path target = fs::is_regular_file(status) ? fs::canonical(path, error) : fs::path(path);
-  if (error) fail(path, "cannot follow the link", error.value());
-  create_folders(folder_of(target));
-  replace(target, content, path);
-}
-
 std::string read_file(const std::string& path) {
-  struct stat status;
-  std::string content = content_of(path, status);
-  remember_input(status);
+  std::string content = read_output(path);
+  remember_input(path);
   return content;
-}
-
-std::string read_output(const std::string& path) {
-  struct stat status;
-  return content_of(path, status);
 }
 
 void ensure_writable_folder(const std::string& folder) {
