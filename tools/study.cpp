@@ -27,11 +27,9 @@ using page::Json;
 // Where the runs come from and the results go.
 struct Study {
   Study(const std::string& first_input, const StudyArguments& arguments, const Common& common)
-      : folder(out_folder(first_input, common)),
+      : folder(writable_folder(first_input, arguments, common)),
         store(common.store.empty() ? default_store_path() : common.store),
-        campaign(&store, common.threads) {
-    if (!arguments.markdown.empty()) ensure_writable_file(arguments.markdown);
-  }
+        campaign(&store, common.threads) {}
 
   page::Cost cost() const {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -41,6 +39,12 @@ struct Study {
             .cpu_seconds = done.cpu_seconds,
             .wall_seconds = wall.count(),
             .instruction_level = instruction_level()};
+  }
+
+  static std::string writable_folder(const std::string& first_input, const StudyArguments& arguments,
+                                     const Common& common) {
+    if (!arguments.markdown.empty()) ensure_writable_file(arguments.markdown);
+    return out_folder(first_input, common);
   }
 
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
