@@ -171,7 +171,7 @@ fs::file_status status_of(const std::string& path) {
     throw IoFailure("a file name may not be empty or hold a zero byte");
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, "cannot write", EISDIR);
+  if (fs::is_directory(status)) throw IoFailure(path + ": is a folder, not a file");
   return status;
 }
 
