@@ -21,6 +21,7 @@ std::string one_of(const TomlTable& table, const std::string& first, const std::
 
 // The same where either may be one value (`key`) or a column (`key`_column).
 std::string one_of_rows(const TomlTable& block, const std::string& first, const std::string& second) {
+  for (const std::string& key : {first, second, first + "_column", second + "_column"}) block.knows(key);
   const auto given = [&](const std::string& key) { return block.has(key) || block.has(key + "_column"); };
   if (given(first) && given(second))
     block.refuse(block.has(first) ? first : first + "_column", "this beside a " + second, "one of the two");

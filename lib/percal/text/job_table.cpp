@@ -48,10 +48,9 @@ std::vector<double> values_of_rows(const TomlTable& block, const std::string& ke
   const std::string column = key + "_column";
   if (block.has(key) && block.has(column)) block.refuse(column, "this beside " + key, "one of the two");
   if (block.has(column)) return column_of(block, column, table, dimension, range);
-  if (!block.has(key)) {
-    block.knows(column);
+  block.knows(column);
+  if (!block.has(key))
     block.refuse(key, "no such key", words_of(range, dimension) + ", or " + column + " = \"COLUMN\"");
-  }
   return std::vector<double>(table.rows.size(), block.quantity(key, dimension, range));
 }
 
