@@ -6,8 +6,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
+#include <new>
 #include <stdexcept>
+
+#include "percal/base/error.hpp"
 
 namespace percal {
 namespace {
@@ -31,6 +35,20 @@ TEST(SideBySide, TheFirstExceptionEndsTheRestAndIsThrown) {
     EXPECT_THROW(side_by_side(threads, 1000, work), std::invalid_argument);
     EXPECT_LE(begun, threads);
   }
+}
+
+TEST(SideBySide, APieceWithoutMemoryBesideTheOthersIsDoneWhenTheyAreGone) {
+  std::atomic<int> alive{0}, done{0};
+  side_by_side(4, 50, [&](int) {
+    ++alive;
+    const bool alone = alive == 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    --alive;
+    if (!alone) throw std::bad_alloc();
+    ++done;
+  });
+  EXPECT_EQ(done, 50);
+  EXPECT_THROW(side_by_side(2, 5, [](int) { throw NoMemory("it", 1e9); }), NoMemory) << "where one alone has none";
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which want all addresses for themselves

@@ -11,12 +11,11 @@ namespace {
 
 const Range a_length = positive("length"), a_density = positive("density"), a_mass = positive("mass");
 
-// The one of two keys that the table has; the first where it has neither. The other is known.
+// The one of two keys that the table has; the first where it has neither. Both are known.
 std::string one_of(const TomlTable& table, const std::string& first, const std::string& second) {
+  for (const std::string& key : {first, second}) table.knows(key);
   if (table.has(first) && table.has(second)) table.refuse(first, "this beside " + second, "one of the two");
-  const bool by_second = table.has(second);
-  table.knows(by_second ? first : second);
-  return by_second ? second : first;
+  return table.has(second) ? second : first;
 }
 
 // The same where either may be one value (`key`) or a column (`key`_column).
