@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "percal/base/version.hpp"
+#include "percal/text/json.hpp"
 
 namespace percal {
 namespace {
@@ -145,18 +145,6 @@ CardMaterial read_block(const Reader& card) {
   return material;
 }
 
-json parse(const std::string& text, const std::string& file) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-    throw BadInput(Place{file, line, ""}, "text that is not JSON", "a result.json of percal");
-  } catch (const json::exception& error) {  // a number beyond a double's range
-    throw BadInput(Place{file, 0, ""}, error.what(), "a result.json of percal");
-  }
-}
-
 // The card with this name; where there is only one, that one.
 Reader chosen(const std::vector<Reader>& cards, const std::string& name) {
   std::string names;
@@ -194,6 +182,15 @@ json card_to_json(const CardMaterial& material) {
   return card;
 }
 
+json read_card_to_json(const ReadCard& read) {
+  return {{"card", card_to_json(read.found.material)},
+          {"solver", read.solver.empty() ? json(nullptr) : json(read.solver)},
+          {"units", read.units},
+          {"passed_over", read.found.ignored},
+          {"erodes_otherwise", read.found.erodes_otherwise},
+          {"warnings", read.warnings}};
+}
+
 json cards_to_json(const std::vector<CardMaterial>& materials) {
   json cards = json::array();
   for (const CardMaterial& material : materials) cards.push_back(card_to_json(material));
@@ -207,7 +204,7 @@ CardMaterial card_from_json(const json& card, const Place& place) {
 }
 
 CardMaterial card_of_result(const std::string& text, const std::string& file, const CardRequest& request) {
-  const json whole = parse(text, file);
+  const json whole = parse_json(text, file, "a result.json of percal");
   const Reader result{whole, {file, 0, ""}};
   const std::string accepted =
       "a card object: a result of percal identify, calibrate or fit of this version, or of percal card read --json";
@@ -222,12 +219,12 @@ CardMaterial card_of_result(const std::string& text, const std::string& file, co
   if (!request.name.empty()) material.name = request.name;
   if (request.density) material.density = *request.density;
   if (request.bulk_to_shear) material.bulk_modulus = *request.bulk_to_shear * shear_modulus(material);
-  if (std::isnan(material.density) || std::isnan(material.bulk_modulus))
+  if (request.complete && (std::isnan(material.density) || std::isnan(material.bulk_modulus)))
     card.at(std::isnan(material.density) ? "density_kg_m3" : "bulk_modulus_Pa")
         .refuse(
             "a number, or beside a fit, whose curves tell neither, --density \"1010 kg/m3\" and --bulk-to-shear NUMBER "
             "or --nu NUMBER");
-  check(material, card.place);
+  check_solid(material, card.place);
   return material;
 }
 
