@@ -1,5 +1,5 @@
 // Kills and crowds, on a store that others have filled: whatever ends a command and whoever works beside it, the same command ends
-// with the same depths, no finished run is lost, and nothing half-written is left.
+// with the same depths, no finished run is lost, and nothing half-written is left. Calibrations: calibration_interrupted_test.cpp.
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
@@ -37,8 +37,6 @@ class SlowTrials : public LiverJob, public testing::WithParamInterface<std::stri
   SlowTrials() {
     job();
     write("layer.toml", text_of(test::test_data + "layer.toml"));
-    for (const char* file : {"joint_small.toml", "joint_curve.csv", "joint_shots.csv"})
-      fs::copy_file(PERCAL_DATA "/synthetic/" + std::string(file), path(file));
   }
 
   // A store of 10,000 rows.
@@ -119,8 +117,7 @@ TEST_P(SlowTrials, SeveralAtOnceOnOneStoreDoNotDisturbEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SlowAcceptance, SlowTrials,
-                         testing::Values("identify liver.toml", "calibrate joint_small.toml",
-                                         "impact layer.toml --replicates 60",
+                         testing::Values("identify liver.toml", "impact layer.toml --replicates 60",
                                          "study layer.toml --error-vs-time --meshes 4,5,6,8 --replicates 3"),
                          [](const auto& info) { return info.param.substr(0, info.param.find(' ')); });
 
