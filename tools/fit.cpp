@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "colour.hpp"
 #include "pages.hpp"
 #include "percal/fit/findings.hpp"
 #include "percal/fit/page/fit_json.hpp"
@@ -89,7 +90,7 @@ Exit fit(const FitRequest& request, const Common& common) {
   if (request.compare) found.comparison = compare_models(found.data, request.options);
   if (request.intervals) found.uncertainty = uncertainty_of(found.data, found.fit, *request.intervals);
   deliver(fit_to_json(request, found, clock.cost()), folder, common);
-  if (found.fit.minima.empty()) fmt::print(stderr, "percal: {}\n", findings(found.fit)[0]);
+  if (found.fit.minima.empty()) print("percal: " + findings(found.fit)[0] + "\n", stderr);
   return !found.fit.minima.empty() && found.fit.minima[0].converged ? Exit::done : Exit::outcome_not_reached;
 }
 
@@ -137,6 +138,7 @@ Exit fit_factor(const FitRequest& request, const Common& common) {
 
 Exit run_fit(const FitArguments& arguments, const Common& common) {
   const FitRequest request = request_of(arguments);
+  for (const std::string& file : request.files) refuse_document(file, "CSV files of stress and stretch");
   return request.rate_column ? fit_factor(request, common) : fit(request, common);
 }
 

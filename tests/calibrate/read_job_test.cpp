@@ -65,6 +65,16 @@ TEST_F(ReadCalibrationJob, RowsOfATableAreShots) {
   EXPECT_EQ(second.row.at("diameter_mm"), "3");
 }
 
+TEST_F(ReadCalibrationJob, ADensityMayBeAMass) {
+  const double mass = 7800 * 4 * 3.14159265358979 / 3 * 1e-9;  // kg, of a ball of 2 mm
+  const auto job = read_job(
+      {{"diameter = \"2 mm\"\nparticle_density = \"7800 kg/m3\"", "diameter = \"2 mm\"\nparticle_mass = \"32.67 mg\""},
+       {"particle_density_column = \"density_kg_m3\"\ndiameter_column", "particle_mass = \"32.67 mg\"\ndiameter_column"}});
+  EXPECT_NEAR(job.shots[4].density, 7800 * 32.67e-6 / mass, 0.1);
+  EXPECT_NEAR(job.shots[1].density, 7800 * 32.67e-6 / mass / std::pow(1.5, 3), 0.1) << "of a ball of 3 mm";
+  EXPECT_EQ(read_job().shots[4].density, 7800);
+}
+
 TEST_F(ReadCalibrationJob, ConditionsChooseWhichRowsAreCensoredFittedAndHaveAnError) {
   const auto job = read_job();
   const auto of = [&](auto member) {
