@@ -214,7 +214,7 @@ TEST(Csv, HostileTextIsReadOrRefusedButNeverCrashes) {
       const auto table = parse_csv(text, "hostile.csv");
       for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
         for (const auto& row : table.rows)
-          ASSERT_EQ(row.cells.size(), table.columns.size()) << "seed " << seed << " round " << round;
+          ASSERT_EQ(table.cells(row).size(), table.columns.size()) << "seed " << seed << " round " << round;
         for (const double value : table.numbers(i, dimension::none)) ASSERT_TRUE(std::isfinite(value));
       }
       ++read;
