@@ -15,7 +15,7 @@ using test::Ended;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string treloar = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
+const std::string treloar_csv_file = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
 
 class CurveLayouts : public test::Program {
  protected:
@@ -31,7 +31,7 @@ class CurveLayouts : public test::Program {
   }
   // One of Treloar's tests as a file that does not say which.
   std::string file_of(const std::string& mode) const {
-    const CsvTable table = read_csv(treloar).where({"mode=" + mode});
+    const CsvTable table = read_csv(treloar_csv_file).where({"mode=" + mode});
     std::string text = "stretch,stress_MPa\n";
     for (const auto& row : table.rows)
       text += table.cell(row, table.column("stretch")) + "," + table.cell(row, table.column("nominal_stress")) + "\n";
@@ -54,7 +54,7 @@ TEST_F(CurveLayouts, EachFileMayHaveItsDeformation) {
   EXPECT_THAT(fit({"uniaxial=" + ut, "--mode", "planar=" + ut}).err, HasSubstr("uniaxial and planar for"));
   EXPECT_THAT(fit({ut, "--mode", "uniaxial", "--mode", "planar"}).err, HasSubstr("\"uniaxial\" and \"planar\" for all files"));
   EXPECT_EQ(fit({"--mode", "uniaxial"}).code, 2);
-  EXPECT_THAT(fit({"planar=" + treloar}).err, HasSubstr("mode column says uniaxial"));
+  EXPECT_THAT(fit({"planar=" + treloar_csv_file}).err, HasSubstr("mode column says uniaxial"));
 }
 
 TEST_F(CurveLayouts, ModeStandsWhereTheColumnsWordsAreForeign) {
@@ -72,9 +72,9 @@ TEST_F(CurveLayouts, ModeStandsWhereTheColumnsWordsAreForeign) {
 }
 
 TEST_F(CurveLayouts, ARangeOfRowsMayBeChosen) {
-  EXPECT_EQ(fitted({treloar, "--where", "mode=UT", "--where", "stretch<3"})["points"], 8);
-  EXPECT_EQ(fitted({treloar, "--where", "mode=UT", "--where", "stretch>=3.02"})["points"], 16);
-  const Ended words = fit({treloar, "--where", "stretch<three"});
+  EXPECT_EQ(fitted({treloar_csv_file, "--where", "mode=UT", "--where", "stretch<3"})["points"], 8);
+  EXPECT_EQ(fitted({treloar_csv_file, "--where", "mode=UT", "--where", "stretch>=3.02"})["points"], 16);
+  const Ended words = fit({treloar_csv_file, "--where", "stretch<three"});
   EXPECT_EQ(words.code, 2);
   EXPECT_THAT(words.err, HasSubstr("a number behind <"));
 }

@@ -14,17 +14,17 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr Ogden solid{.mu = 50e3, .alpha = 4};
+constexpr Ogden elastic{.mu = 50e3, .alpha = 4};
 
 struct Row {
-  double strain, factor = 1, added = 0;  // stress = factor * (the solid's + added), kPa
+  double strain, factor = 1, added = 0;  // stress = factor * (the elastic's + added), kPa
 };
 
 std::vector<std::string> warnings(const std::vector<Row>& rows, const std::string& mode = "UT") {
   std::string text = "strain,stress_kPa\n";
   for (const auto& [strain, factor, added] : rows)
     text += fmt::format("{:.6f},{:.6f}\n", strain,
-                        factor * (nominal_stress(solid, Strained{Deformation::uniaxial, 1 + strain}) / 1e3 + added));
+                        factor * (nominal_stress(elastic, Strained{Deformation::uniaxial, 1 + strain}) / 1e3 + added));
   return curves_of(parse_csv(text, "c.csv"), {.mode = mode}).sources.at(0).warnings;
 }
 

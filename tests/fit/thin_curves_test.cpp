@@ -15,11 +15,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr Ogden solid{.mu = 50e3, .alpha = 4};
+constexpr Ogden true_solid{.mu = 50e3, .alpha = 4};
 
 CurveData raw_log(int rows, unsigned seed = 1) {
   test::NormalNumbers normal(seed);
-  auto data = test::noisy_curve(solid, test::states({.points = rows, .low = 1, .high = 2}), {.absolute = 300}, normal);
+  auto data = test::noisy_curve(true_solid, test::states({.points = rows, .low = 1, .high = 2}), {.absolute = 300}, normal);
   data.sources = {{.file = "log.csv", .x = "stretch", .y = "stress"}};
   return data;
 }
@@ -63,12 +63,12 @@ TEST(ThinCurves, CurvesWithTwoStretchesAreThinnedInBoth) {
   for (int i = 0; i < 100; ++i)
     for (int j = 0; j < 100; ++j) {
       const Strained strained{Deformation::biaxial, 1 + 0.01 * i, 1 + 0.01 * j};
-      data.points.push_back({strained, nominal_stress(solid, strained)});
+      data.points.push_back({strained, nominal_stress(true_solid, strained)});
     }
   thin(data);
   EXPECT_LE(data.points.size(), 3600u);
   for (const auto& point : data.points)
-    EXPECT_NEAR(point.nominal_stress, nominal_stress(solid, point.strained), 0.01 * std::abs(point.nominal_stress) + 300);
+    EXPECT_NEAR(point.nominal_stress, nominal_stress(true_solid, point.strained), 0.01 * std::abs(point.nominal_stress) + 300);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ std::string not_ranked(const CurveFit& fit) {
 }
 
 ComparedModel compared(const CurveData& data, const CurveOptions& options) {
-  ComparedModel result{options.model, {}, {}, {}, {}, {}, {}};
+  ComparedModel result{options.model, {}, {}, {}, {}, {}};
   try {
     result.fit = fit_curves(data, options);
   } catch (const BadInput& error) {

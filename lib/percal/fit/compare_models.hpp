@@ -20,11 +20,11 @@ struct ComparedModel {
   Model model;
   std::optional<CurveFit> fit;  // none where the points cannot hold the parameters: `why_not`
   std::string why_not;
-  std::string not_ranked;  // why its AICc is set beside no other's: no minimum of the model, or a term that is nothing; else empty
   std::vector<LeftOutTest> left_out;  // with two tests or more
   // Means over the left-out tests; none where one of them is missing.
   std::optional<double> mean_relative_deviation;
   std::optional<double> relative_to_sum;
+  std::string not_ranked = {};  // why its AICc is set beside no other's: no minimum of the model, or a term that is nothing; else empty
 };
 
 // All models in the order neo-Hooke, Mooney-Rivlin, Ogden with one, two and three terms; options.model is not looked

@@ -24,6 +24,7 @@ constexpr double offset_share = 0.02; // of the largest stress, at stretch 1
 constexpr double toe_end = 0.25;      // of the largest strain
 constexpr double toe_kink = 10;       // times as steep behind the toe as in it
 constexpr double toe_slope = 0.3;     // of the whole curve's, at least, behind it
+constexpr double toe_noise = 4;       // standard deviations of one stress that the toe lacks, at least
 constexpr std::size_t fewest = 8;     // points to tell a shape from
 
 // A point as it is met along a test: how far from rest, and the stress in that direction.
@@ -177,21 +178,31 @@ bool offset(const CsvTable& table, const Followed& test, std::vector<std::string
   return false;
 }
 
+// Standard deviation of one stress, from the second differences of neighbours: their median size, as of normal errors.
+double noise_of(const std::vector<Met>& points) {
+  std::vector<double> bends;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    bends.push_back(std::abs(points[i - 1].stress - 2 * points[i].stress + points[i + 1].stress));
+  const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
+  std::nth_element(bends.begin(), middle, bends.end());
+  return *middle / 0.6745 / std::sqrt(6.0);
+}
+
 // Hardly any slope at first, then all at once that of the curve.
 void toe(const CsvTable& table, const FoundColumns& found, const Followed& test, std::size_t end,
          std::vector<std::string>& sentences) {
   const auto& p = test.points;
-  const double whole = (p[end].stress - p[0].stress) / (p[end].strain - p[0].strain);
+  const double whole = (p[end].stress - p[0].stress) / (p[end].strain - p[0].strain), noise = noise_of(p);
   std::size_t knee = 0;
-  double sharpest = toe_kink;
+  double sharpest = toe_kink;  // the knee is the last place half as sharp as the sharpest
   for (std::size_t i = 2, j = 2; i < end && p[i].strain <= toe_end * test.longest; ++i) {
     const double length = p[i].strain - p[0].strain;
     while (j < end && p[j].strain < p[i].strain + length) ++j;
     if (!(length > 0) || p[j].strain <= p[i].strain) continue;
     const double before = (p[i].stress - p[0].stress) / length, after = (p[j].stress - p[i].stress) / (p[j].strain - p[i].strain);
-    if (!(after > toe_slope * whole)) continue;
+    if (!(after > toe_slope * whole) || (after - before) * length < toe_noise * noise) continue;
     const double ratio = after / std::max(std::abs(before), 1e-3 * after);
-    if (ratio > sharpest) sharpest = ratio, knee = i;
+    if (ratio > toe_kink && ratio > 0.5 * sharpest) sharpest = std::max(sharpest, ratio), knee = i;
   }
   if (knee == 0) return;
   sentences.push_back(

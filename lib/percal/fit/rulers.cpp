@@ -12,7 +12,7 @@
 namespace percal {
 namespace {
 
-constexpr double most_of_it = 0.8;  // of the sum of squares
+constexpr double most_of_it = 0.99;  // of the sum of squares
 constexpr double few_points = 1 / 3.0;
 
 // Of the points that make up most of the sum of squares, when the others are followed.

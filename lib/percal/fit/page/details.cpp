@@ -49,6 +49,10 @@ Table parameter_table(const Json& result) {
     if (const auto value = number(best(result), constant))
       table.rows.push_back({std::string(constant).substr(0, 3), pressure(value), absent});
   for (auto& cells : table.rows) cells.resize(table.rows[0].size());
+  table.notes = {
+      "mu is the small-strain shear modulus of W = sum (2 mu/alpha^2) (lambda_1^alpha + lambda_2^alpha + "
+      "lambda_3^alpha - 3); "
+      "2 mu/alpha is the number that LS-DYNA and others call MU1 or mu."};
   return table;
 }
 

@@ -131,14 +131,13 @@ Table minima_table(const Json& result) {
   return table;
 }
 
-// The two numbers that go by the name of mu.
+// Which of the numbers that go by the name of mu is printed; the formula is among the details.
 std::string which_mu(const Json& result) {
   const Json& terms = list(best(result), "terms");
   const auto mu = number(terms.at(0), "mu_Pa"), alpha = number(terms.at(0), "alpha");
-  const bool one = terms.size() == 1 && mu && alpha && *alpha != 0;
-  return fmt::format("mu is the small-strain shear modulus, of W = {}(2 mu/alpha^2) (lambda_1^alpha + lambda_2^alpha + "
-                     "lambda_3^alpha - 3); what LS-DYNA and others call MU1 or mu is 2 mu/alpha{}.",
-                     terms.size() == 1 ? "" : "sum ", one ? ": " + pressure(2 * *mu / *alpha) : " of each term");
+  if (terms.size() == 1 && mu && alpha && *alpha != 0)
+    return "mu is the small-strain shear modulus of W; LS-DYNA's MU1 would be " + pressure(2 * *mu / *alpha) + ".";
+  return "mu is the small-strain shear modulus of W, of each term its own; LS-DYNA's MU1 is another number (--details).";
 }
 
 Section result_section(const Json& result) {
