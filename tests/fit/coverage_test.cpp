@@ -101,29 +101,37 @@ TEST(SlowCoverage, TheModulusOfASmallStretchRange) {
   EXPECT_LE(held.mu, most);
 }
 
-// Short tension of a solid with a negative exponent and 4 % of noise: a second minimum near alpha = 0 often fits as well, and the best one
-// is then the wrong one in part of the replicates. The region holds the truth all the same.
-Coverage coverage_of_two_basins(int count) {
+// Short tension of a solid with a negative exponent: a second minimum often fits as well, and the best one is then the wrong one in a
+// quarter of the replicates. The region is the exact likelihood's, which holds the truth in 91 to 95 % (docs/theory/curves.md).
+TEST(SlowCoverage, TwoBasins) {
   constexpr Ogden solid{.mu = 20e3, .alpha = -5};
+  constexpr int curves = 300;
   const auto states = test::states({.points = 20, .low = 1.03, .high = 1.6});
+  const double largest = nominal_stress(solid, Strained{Deformation::uniaxial, 1.6});
   NormalNumbers normal(seed);
-  Coverage held;
+  Coverage region, best;
   int several = 0;
-  for (int replicate = 0; replicate < count; ++replicate) {
-    const CurveData data = test::noisy_curve(solid, states, {.relative = 0.04}, normal);
-    const auto result = uncertainty_of(data, fit_curves(data, {}), {});
-    held.mu += static_cast<double>(holds(result.region.at(0).pieces, solid.mu)) / count;
-    held.alpha += static_cast<double>(holds(result.region.at(1).pieces, solid.alpha)) / count;
+  for (int curve = 0; curve < curves; ++curve) {
+    const CurveData data = test::noisy_curve(solid, states, {.absolute = 0.04 * largest}, normal);
+    const auto result = uncertainty_of(data, fit_curves(data, {.residual = Residual::absolute}), {});
+    const auto& parameters = result.minima.at(0).parameters;
+    const double one = 1.0 / curves;
+    region.mu += one * holds(result.region.at(0).pieces, solid.mu);
+    region.alpha += one * holds(result.region.at(1).pieces, solid.alpha);
+    best.mu += one * holds(parameters[0].interval, solid.mu);
+    best.alpha += one * holds(parameters[1].interval, solid.alpha);
     several += result.minima.size() > 1;
   }
-  EXPECT_GT(several, count / 20) << "no case of two basins";
-  testing::Test::RecordProperty("mu", std::to_string(held.mu));
-  testing::Test::RecordProperty("alpha", std::to_string(held.alpha));
-  testing::Test::RecordProperty("several", several);
-  return held;
+  for (const auto& [name, share] : {std::pair{"region_mu", region.mu}, {"region_alpha", region.alpha}, {"best_mu", best.mu},
+                                    {"best_alpha", best.alpha}, {"several", several / 300.0}})
+    testing::Test::RecordProperty(name, std::to_string(share));
+  EXPECT_GT(several, curves / 2);
+  EXPECT_LT(best.alpha, 0.85);
+  for (const double share : {region.mu, region.alpha}) {
+    EXPECT_GE(share, 0.90);
+    EXPECT_LE(share, most);
+  }
 }
-
-TEST(SlowCoverage, TwoBasins) { expect_nominal(coverage_of_two_basins(300)); }
 
 // Factor, moduli and alpha of two curves; the shape test refuses one shape in 5 % of pairs that have one.
 void rate_factor_coverage(Residual residual, const test::Noise& noise) {

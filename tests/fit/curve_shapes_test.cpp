@@ -86,7 +86,13 @@ TEST(CurveShapes, AToeIsSaidWithItsPoints) {
   std::vector<Row> rows{{0, 0, 0}, {0.02, 0.01}, {0.04, 0.01}, {0.06, 0.01}};
   for (int i = 4; i <= 50; ++i) rows.push_back({0.02 * i});
   EXPECT_THAT(warnings(rows),
-              ElementsAre(AllOf(HasSubstr("a toe: the first 4 points, up to strain 0.060000"), HasSubstr("--residual absolute"))));
+              ElementsAre(AllOf(HasSubstr("a toe: the first points, to strain 0.060000"), HasSubstr("--residual absolute"))));
+}
+
+TEST(CurveShapes, TheNoiseOfARawLogIsNoToe) {
+  std::vector<Row> rows;
+  for (int i = 0; i < 5000; ++i) rows.push_back({0.0002 * i, 1, (i % 7 - 3) * 0.2});
+  EXPECT_THAT(warnings(rows), ElementsAre(HasSubstr("5000 rows are averaged")));
 }
 
 TEST(CurveShapes, AColumnOfTextWithSeveralValuesIsNamed) {

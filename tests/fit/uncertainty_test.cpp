@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "percal/fit/curve_calibration.hpp"
@@ -122,6 +123,27 @@ TEST(Uncertainty, PlanarTensionHasAnIntervalForEachSignOfAlpha) {
   EXPECT_NEAR(one.interval.high, -other.interval.low, 1e-4);
   EXPECT_GT(std::min(std::abs(one.interval.low), std::abs(one.interval.high)), 0);
   EXPECT_THAT(all(result.findings), HasSubstr("for its own sign"));
+}
+
+// Of short tension whose best minimum has the wrong exponent.
+TEST(Uncertainty, TheRegionHoldsATruthThatTheBestMinimumMisses) {
+  constexpr Ogden solid{.mu = 20e3, .alpha = -5};
+  const auto holds = [&](const Interval& piece) { return piece.low <= solid.alpha && solid.alpha <= piece.high; };
+  int missed = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    NormalNumbers normal(seed);
+    const auto data =
+        test::noisy_curve(solid, test::states({.points = 20, .low = 1.03, .high = 1.6}), {.absolute = 550}, normal);
+    const auto result = of(data, {.residual = Residual::absolute});
+    const auto& pieces = result.region.at(1).pieces;
+    EXPECT_EQ(result.region[1].name, "alpha");
+    if (pieces.size() < 2 || holds(result.minima[0].parameters[1].interval)) continue;
+    ++missed;
+    EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), holds)) << "seed " << seed;
+    EXPECT_EQ(pieces[0].high < pieces[1].low, true) << "seed " << seed;
+    EXPECT_THAT(all(result.findings), HasSubstr("The data do not choose between 2 minima"));
+  }
+  EXPECT_GE(missed, 1);
 }
 
 TEST(Uncertainty, StandardErrorsThatTheResidualsBearOutAreUsed) {

@@ -26,6 +26,7 @@ constexpr double toe_kink = 10;       // times as steep behind the toe as in it
 constexpr double toe_slope = 0.3;     // of the whole curve's, at least, behind it
 constexpr double toe_noise = 4;       // standard deviations of one stress that the toe lacks, at least
 constexpr std::size_t fewest = 8;     // points to tell a shape from
+constexpr std::size_t coarse = 64;    // means that a toe is looked for in, of a log with more than twice as many points
 
 // A point as it is met along a test: how far from rest, and the stress in that direction.
 struct Met {
@@ -188,10 +189,28 @@ double noise_of(const std::vector<Met>& points) {
   return *middle / 0.6745 / std::sqrt(6.0);
 }
 
+// The points of a branch up to `end`; of many the means of neighbours, each in the row of its last.
+std::vector<Met> coarsened(const Followed& test, std::size_t end) {
+  std::vector<Met> all(test.points.begin(), test.points.begin() + static_cast<std::ptrdiff_t>(end) + 1);
+  if (all.size() <= 2 * coarse) return all;
+  std::vector<Met> means;
+  for (std::size_t k = 0; k < coarse; ++k) {
+    const std::size_t from = k * all.size() / coarse, to = (k + 1) * all.size() / coarse;
+    Met mean{0, 0, all[to - 1].row};
+    for (std::size_t i = from; i < to; ++i) {
+      mean.strain += all[i].strain / static_cast<double>(to - from);
+      mean.stress += all[i].stress / static_cast<double>(to - from);
+    }
+    means.push_back(mean);
+  }
+  return means;
+}
+
 // Hardly any slope at first, then all at once that of the curve.
-void toe(const CsvTable& table, const FoundColumns& found, const Followed& test, std::size_t end,
+void toe(const CsvTable& table, const FoundColumns& found, const Followed& test, std::size_t last,
          std::vector<std::string>& sentences) {
-  const auto& p = test.points;
+  const std::vector<Met> p = coarsened(test, last);
+  const std::size_t end = p.size() - 1;
   const double whole = (p[end].stress - p[0].stress) / (p[end].strain - p[0].strain), noise = noise_of(p);
   std::size_t knee = 0;
   double sharpest = toe_kink;  // the knee is the last place half as sharp as the sharpest
@@ -207,10 +226,10 @@ void toe(const CsvTable& table, const FoundColumns& found, const Followed& test,
   if (knee == 0) return;
   sentences.push_back(
       of_test(table, test) +
-      fmt::format("a toe: the first {} points, up to {}, carry next to no stress ({} to {}), behind them the curve is {:.0f} times "
+      fmt::format("a toe: the first points, to {}, carry next to no stress ({} to {}), behind them the curve is {:.0f} times "
                   "as steep: slack or seating; {} leaves them out (and count the stretch from there), --residual absolute gives "
                   "them little weight.",
-                  knee + 1, stretch_of(table, found, p[knee]), page::quantity(p[0].stress, dimension::pressure),
+                  stretch_of(table, found, p[knee]), page::quantity(p[0].stress, dimension::pressure),
                   page::quantity(p[knee].stress, dimension::pressure), sharpest, up_to(table, found, p[knee], p[end], false)));
 }
 

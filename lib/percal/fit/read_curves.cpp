@@ -25,15 +25,22 @@ Deformation mode_given(const std::string& mode) {
   throw BadInput({"", 0, "--mode"}, in_quotes(mode), deformation_words());
 }
 
-// What the mode column says, row by row; the mode given for the file where it has none, or where none of its words is known.
-std::vector<std::string> mode_words(const CsvTable& table, FoundColumns& found, const std::string& mode,
-                                    std::vector<std::string>& warnings) {
-  if (!found.mode) return std::vector<std::string>(table.rows.size(), mode);
+// The word for the deformation of every row: the mode column's, or one for all.
+struct ModeWords {
+  std::string of_all;
+  std::vector<std::string> of_row = {};
+  const std::string& operator[](std::size_t i) const { return of_row.empty() ? of_all : of_row[i]; }
+};
+
+// The mode given stands where the file has no mode column, and where none of the column's words is known.
+ModeWords mode_words(const CsvTable& table, FoundColumns& found, const std::string& mode,
+                     std::vector<std::string>& warnings) {
+  if (!found.mode) return {mode};
   std::vector<std::string> words;
   for (const auto& row : table.rows) words.push_back(table.cell(row, *found.mode));
   const std::set<std::string> different(words.begin(), words.end());
   if (mode.empty() || std::any_of(different.begin(), different.end(), [](const auto& word) { return deformation_of(word); }))
-    return words;
+    return {mode, words};
   std::vector<std::string> quoted;
   for (const auto& word : different) quoted.push_back(in_quotes(word));
   warnings.push_back(fmt::format(
@@ -41,21 +48,21 @@ std::vector<std::string> mode_words(const CsvTable& table, FoundColumns& found, 
       different.size() == 1 ? "is a word that is" : "are words that are", mode,
       different.size() == 1 ? "" : ", all of them as one test (--where keeps one)"));
   found.mode.reset();
-  return std::vector<std::string>(table.rows.size(), mode);
+  return {mode};
 }
 
 // The deformation of every row.
 std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found,
-                                      const std::vector<std::string>& words, const std::string& mode) {
+                                      const ModeWords& words) {
   if (!found.mode) {
-    if (mode.empty())
+    if (words.of_all.empty())
       throw BadInput({table.file, table.header_line, ""}, "no column 'mode'",
                      "--mode with one of " + deformation_words());
-    return std::vector<Deformation>(table.rows.size(), mode_given(mode));
+    return std::vector<Deformation>(table.rows.size(), mode_given(words.of_all));
   }
   LineFaults faults(table.file);
   std::vector<Deformation> all;
-  for (std::size_t i = 0; i < words.size(); ++i) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto deformation = deformation_of(words[i]);
     if (!deformation)
       faults.add(table.rows[i].line,
@@ -68,11 +75,11 @@ std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns&
 }
 
 // Which rows a word calls compression: the mode's, or that of a header.
-std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& found, const std::vector<std::string>& words,
+std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& found, const ModeWords& words,
                                   const std::vector<Deformation>& modes) {
   const bool by_x = found.x_words.compressive, by_y = found.y_words.compressive;
   std::vector<bool> compressed;
-  for (std::size_t i = 0; i < words.size(); ++i) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
     if ((by_x || by_y) && says_tension(words[i]))
       throw BadInput({table.file, table.rows[i].line, table.columns[static_cast<std::size_t>(by_x ? found.x : found.y)].header},
                      "the word of compression in the header, but the mode " + in_quotes(words[i]),
@@ -82,9 +89,9 @@ std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& fou
   return compressed;
 }
 
-// Empty cells are no error known; a negative one is refused.
+// Empty cells are no error known, no column none at all; a negative one is refused.
 std::vector<std::optional<double>> standard_errors(const CsvTable& table, std::optional<int> column) {
-  if (!column) return std::vector<std::optional<double>>(table.rows.size());
+  if (!column) return {};
   const std::string& header = table.columns[*column].header;
   const auto errors = table.optional_numbers(header, dimension::pressure);
   LineFaults faults(table.file);
@@ -140,14 +147,14 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   const CsvTable table = whole.where(wanted.where);
   FoundColumns found = find_columns(table, wanted);
   std::vector<std::string> warnings;
-  const std::vector<std::string> words = mode_words(table, found, wanted.mode, warnings);
+  const ModeWords words = mode_words(table, found, wanted.mode, warnings);
   const CsvColumn &x_column = table.columns[found.x], &y_column = table.columns[found.y];
   std::vector<Deformation> modes;
   CurveNumbers numbers;
   auto& [x, y] = numbers;
   std::vector<double> across;
   std::vector<std::optional<double>> errors;
-  together({[&] { modes = deformations(table, found, words, wanted.mode); },
+  together({[&] { modes = deformations(table, found, words); },
             [&] { numbers.x = abscissae(table, found.x, found.x_words.size); },
             [&] { numbers.y = table.numbers(found.y, dimension::pressure); },
             [&] { errors = standard_errors(table, found.error); },
@@ -165,6 +172,7 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                     table.passed_over.size() == 1 ? "is" : "are"));
   turn_compression(numbers, table, found, compressed_rows(table, found, words, modes), warnings);
   LineFaults faults(table.file);
+  data.points.reserve(table.rows.size());
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     StressPoint point{{modes[i], 1, 1}, 0};
     try {
@@ -185,7 +193,7 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
     const StressMeasure measure = found.y_words.measure;
     try {
       point.nominal_stress = nominal_of(y[i], measure, point.strained);
-      if (errors[i]) point.standard_error = nominal_of(*errors[i], measure, point.strained);
+      if (!errors.empty() && errors[i]) point.standard_error = nominal_of(*errors[i], measure, point.strained);
     } catch (const std::invalid_argument& error) {
       faults.add(table.rows[i].line, fmt::format("{}: found {}", y_column.header, error.what()));
     }
