@@ -12,6 +12,7 @@
 #include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/page/page.hpp"
 #include "percal/calibrate/run_sizes.hpp"
+#include "percal/calibrate/verdict.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/page/figures.hpp"
 #include "percal/text/range.hpp"
@@ -38,10 +39,10 @@ std::optional<double> parse_budget(const std::string& text) {
 }
 
 std::string valid_words(const CalibrationJob& job, const RunSize& largest) {
-  return fmt::format(
-      "a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses; the largest run has {}",
-      job.parameters.size(), job.shots.size(), used_shots(job).size(), job.curves.size(), job.hypotheses.size(),
-      in_words(largest));
+  return fmt::format("a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses; {}",
+                     job.parameters.size(), job.shots.size(), used_shots(job).size(), job.curves.size(),
+                     job.hypotheses.size(),
+                     job.shots.empty() ? "nothing is shot" : "the largest run has " + in_words(largest));
 }
 
 }  // namespace
@@ -72,7 +73,8 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
     write_scene(best.scene,
                 "A shot of " + job.title + " at what percal calibrate found, on the mesh of its fresh runs.", best.name,
                 folder);
-  return result.hypotheses.empty() ? Exit::outcome_not_reached : Exit::done;
+  if (result.hypotheses.empty()) return Exit::outcome_not_reached;
+  return least_contradicted(result.hypotheses) == DataAgreement::disagrees ? Exit::check_failed : Exit::done;
 }
 
 }  // namespace percal::tools

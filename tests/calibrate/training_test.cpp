@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "calibrate/gel_job.hpp"
+#include "percal/base/error.hpp"
+#include "percal/calibrate/page/page.hpp"
 #include "percal/campaign/sphere_runs.hpp"
+#include "percal/material/homogeneous.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -96,6 +99,42 @@ TEST_F(CalibrationRuns, ThoseOfOthersAreLearntFromAnewByAnotherSolverOrProcessor
   other.text = "another job";
   Training(other, &store_, campaign_, limits_).fill_space();
   EXPECT_GT(Training(job_, &store_, campaign_, limits_).report().foreign, 30);
+}
+
+// Fitted, only predicted or none; with a curve or without.
+TEST_F(CalibrationRuns, EveryCombinationOfEmptyPartsIsCalibratedOrRefused) {
+  MeasuredCurve curve{.name = "tension", .data = {}, .relative_error = 0.02};
+  for (const double stretch : {1.1, 1.3, 1.6, 2.0}) {
+    const Strained state{Deformation::uniaxial, stretch};
+    curve.data.points.push_back({.strained = state, .nominal_stress = nominal_stress(Ogden{200e3, 7}, state)});
+  }
+  curve.group = 1;
+  for (const char* shots : {"fitted", "predicted", "none"})
+    for (const bool with_curve : {true, false}) {
+      SCOPED_TRACE(std::string(shots) + (with_curve ? ", a curve" : ""));
+      CalibrationJob job = quick_job();
+      job.bootstrap = 3;
+      job.dehn = true;
+      job.sets[0].leave_one_out = true;
+      job.training.most = job.training.initial;
+      job.training.verify_replicates = 1;
+      if (std::string(shots) == "none") job.shots.clear();
+      for (MeasuredShot& shot : job.shots) shot.used = std::string(shots) == "fitted";
+      if (with_curve) {
+        job.groups.push_back({"curves", true, 0});
+        job.curves.push_back(curve);
+      }
+      const auto found = [&] { return calibrate(job, store_, campaign_, limits_, [](const std::string&) {}); };
+      if (std::string(shots) != "fitted" && !with_curve) {
+        EXPECT_THROW(found(), BadInput);
+        continue;
+      }
+      const CalibrationResult result = found();
+      ASSERT_EQ(result.hypotheses.size(), 1u);
+      EXPECT_EQ(result.hypotheses[0].fresh.size(), std::string(shots) == "fitted" ? 4u : 0u);
+      EXPECT_EQ(result.hypotheses[0].shots.size(), job.shots.size());
+      EXPECT_FALSE(calibrate_page(calibration_to_json(job, result)).sections.empty());
+    }
 }
 
 }  // namespace

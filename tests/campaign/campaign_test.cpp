@@ -55,6 +55,25 @@ TEST_F(CampaignTest, WhatIsInTheStoreIsNotRunAgain) {
   EXPECT_EQ(second.cost().cpu_seconds, 0);
 }
 
+TEST_F(CampaignTest, BeginsNoRunThatWouldEndAfterTheDeadline) {
+  Campaign campaign(store.get(), 1);
+  const auto now = std::chrono::steady_clock::now();
+  const Evaluation first = campaign.evaluate(quick(1));
+  const std::vector<Problem> both{quick(1), quick(9)};
+  const auto late = campaign.evaluate_by(now, both, nullptr);
+  ASSERT_TRUE(late[0]) << "it is in the store";
+  EXPECT_EQ(late[0]->result.depth, first.result.depth);
+  EXPECT_FALSE(late[1]);
+  const auto in_time = campaign.evaluate_by(now + std::chrono::hours(1), both, nullptr);
+  EXPECT_TRUE(in_time[1]);
+  Problem long_run = quick(5);
+  long_run.elements_per_radius = 400;
+  EXPECT_FALSE(
+      campaign.evaluate_by(std::chrono::steady_clock::now() + std::chrono::seconds(20), {long_run}, nullptr)[0])
+      << "it would take a million times as long as the others";
+  EXPECT_TRUE(campaign.evaluate_by({}, {quick(7)}, nullptr)[0]) << "no deadline, every run";
+}
+
 TEST_F(CampaignTest, AnotherProblemIsRun) {
   Campaign campaign(store.get(), 1);
   campaign.evaluate(quick());

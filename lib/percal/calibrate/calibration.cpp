@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/calibrate/fresh_runs.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/hypothesis_fit.hpp"
 #include "percal/calibrate/run_sizes.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
+#include "percal/page/numbers.hpp"
 #include "percal/problem/replicates.hpp"
 
 namespace percal {
@@ -18,10 +20,9 @@ namespace {
 using Eigen::VectorXd;
 using Announce = std::function<void(const std::string&)>;
 
-constexpr double share_for_training = 0.7;  // of a budget
-constexpr int plausible_for_each = 10;      // points of parameter space a round looks at, for each hypothesis
-constexpr double temperature = 1.5;         // a little wider than the data allow
-constexpr int most_checks = 2;              // of the best points
+constexpr int plausible_for_each = 10;  // points of parameter space a round looks at, for each hypothesis
+constexpr double temperature = 1.5;     // a little wider than the data allow
+constexpr int most_checks = 2;          // of the best points
 constexpr std::size_t most_targets = 160, most_candidates = 160;
 
 template <class T>
@@ -55,8 +56,8 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
 }
 
 struct Trained {
-  std::vector<JobFit> fits;  // of the hypotheses; none where too many runs failed
-  std::string why;           // no more runs
+  FittedHypotheses fitted;  // without fits where too many runs failed
+  std::string why;          // no more runs
 };
 
 int count_of(const std::vector<Hypothesis>& hypotheses) { return static_cast<int>(hypotheses.size()); }
@@ -64,31 +65,34 @@ int count_of(const std::vector<Hypothesis>& hypotheses) { return static_cast<int
 double element_size(const CalibrationJob& job) { return 1.0 / job.training.verify; }
 
 // Why no more runs are needed, or to be had; empty where they are. `ratio`: the emulator's error over the data's.
-std::string why_enough(const CalibrationJob& job, const Training& training, const CalibrationLimits& limits,
-                       double ratio) {
+std::string why_enough(const CalibrationJob& job, const Training& training, double ratio) {
   if (ratio <= job.training.accuracy)
     return fmt::format("the emulator's error is below {:g} of the data's", job.training.accuracy);
   if (training.full()) return fmt::format("{} runs were made, as many as the job allows", job.training.most);
-  if (limits.spent(share_for_training)) return "the budget for runs was spent";
+  if (training.out_of_time()) return "the budget for runs was spent";
   return "";
 }
 
 // The best points of all hypotheses are run anew on the verifying mesh. Where the runs lie further from the emulator than it says, it
 // learns from them, and says true.
-bool best_points_hold(const CalibrationJob& job, const std::vector<JobFit>& fits, Training& training,
-                      Campaign& campaign, const Announce& announce) {
-  std::vector<Problem> problems;
-  double worst = 0;
-  for (int k = 0; k < count_of(job.hypotheses); ++k) {
-    const JobModel model = finite_element_model(job, job.hypotheses[k], training.emulator(), element_size(job));
-    worst = std::max(worst, spread(fresh_runs(job, k, model, fits[k], training.emulator(), campaign)));
-    for (const Problem& problem : fresh_problems(job, k, model, fits[k]))
-      for (Problem& run : replicates_of(problem, job.training.verify_replicates)) problems.push_back(std::move(run));
-  }
+bool best_points_hold(const CalibrationJob& job, const FittedHypotheses& fitted, Training& training, Campaign& campaign,
+                      const CalibrationLimits& limits, const Announce& announce) {
+  const std::vector<Problem> problems = single_fresh_problems(job, fitted);
+  Progress progress("runs at the best points", static_cast<long>(problems.size()));
+  const auto runs = campaign.evaluate_by(limits.deadline(share_for_training), problems, &progress);
+  const double worst = spread_of_single_runs(job, fitted, training.emulator(), runs);
   announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it", worst));
   if (worst <= trusted_spread) return true;
-  training.add_runs(problems);
+  training.add_runs(problems, runs);
   return false;
+}
+
+// Why there is nothing to fit with; empty where there is.
+std::string why_hopeless(const Training& training) {
+  if (training.failures()) return *training.failures();
+  if (training.has_emulator()) return "";
+  return training.out_of_time() ? "the budget ended before there were enough runs for an emulator"
+                                : "too few runs came to rest for an emulator: wider bounds or more runs";
 }
 
 // Rounds of fitting and running until the emulator is surer than the data, in all the hypotheses.
@@ -96,20 +100,16 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
               const Announce& announce) {
   training.fill_space();
   int checks = 0;
-  Trained trained;
   std::vector<std::optional<VectorXd>> starts(job.hypotheses.size());
   for (int round = 0;; ++round) {
-    trained.fits.clear();
-    if (training.failures() || !training.has_emulator()) {
-      trained.why = training.failures() ? *training.failures()
-                                        : "too few runs came to rest for an emulator: wider bounds or more runs";
-      return trained;
-    }
+    Trained trained;
+    trained.why = why_hopeless(training);
+    if (!trained.why.empty()) return trained;
     std::vector<Training::Target> targets;
     std::vector<Training::Candidate> candidates;
     double worst = 0, emulator = 0, data = 0;
     for (int k = 0; k < count_of(job.hypotheses); ++k) {
-      const JobModel model = finite_element_model(job, job.hypotheses[k], training.emulator(), element_size(job));
+      JobModel model = finite_element_model(job, job.hypotheses[k], training.emulator(), element_size(job));
       JobFit fit = fit_job(job, model, used_shots(job), quick_search(), starts[k]);
       if (round % 3 != 2)
         starts[k] = fit.at;  // now and then from everywhere
@@ -122,18 +122,19 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
         data = sizes.data;
       }
       add_targets(job, k, model, fit, job.training.seed + static_cast<unsigned>(round), targets, candidates);
-      trained.fits.push_back(std::move(fit));
+      trained.fitted.models.push_back(std::move(model));
+      trained.fitted.fits.push_back(std::move(fit));
     }
     EmulatorReport& report = training.report();
     report.error_at_optimum = emulator;
     report.data_error = data;
     if (!report.rounds.empty()) report.rounds.back().error = emulator;
-    announce(fmt::format("{} runs, emulator's error at the optimum {:.2g} %, data's {:.2g} %",
-                         training.emulator().runs().size(), 100 * emulator, 100 * data));
-    trained.why = why_enough(job, training, limits, worst);
+    announce(fmt::format("{} runs, emulator's error at the optimum {}, data's {}", training.emulator().runs().size(),
+                         page::rough_percent(emulator), page::rough_percent(data)));
+    trained.why = why_enough(job, training, worst);
     if (!trained.why.empty()) {
-      if (limits.spent(share_for_training) || checks++ == most_checks ||
-          best_points_hold(job, trained.fits, training, campaign, announce))
+      if (training.out_of_time() || checks++ == most_checks ||
+          best_points_hold(job, trained.fitted, training, campaign, limits, announce))
         return trained;
       continue;
     }
@@ -160,27 +161,28 @@ void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::ve
   if (count > 0) result.fresh_deviation /= count;
 }
 
-// Every hypothesis, side by side; then its fresh runs, which have all the threads.
-std::vector<HypothesisResult> read_all(const CalibrationJob& job, const Emulator& emulator, Campaign& campaign,
-                                       const CalibrationLimits& limits, const Announce& announce) {
-  std::vector<JobModel> models(job.hypotheses.size());
-  std::vector<JobFit> fits(job.hypotheses.size());
+// Every hypothesis, side by side; then the fresh runs of all, which have all the threads. No emulator: no shots.
+std::vector<HypothesisResult> read_all(const CalibrationJob& job, const std::optional<Emulator>& emulator,
+                                       Campaign& campaign, const CalibrationLimits& limits, const Announce& announce) {
+  FittedHypotheses fitted{std::vector<JobModel>(job.hypotheses.size()), std::vector<JobFit>(job.hypotheses.size())};
   std::vector<HypothesisResult> results(job.hypotheses.size());
   campaign.side_by_side(count_of(job.hypotheses), [&](int k) {
     const Hypothesis& hypothesis = job.hypotheses[k];
-    models[k] = finite_element_model(job, hypothesis, emulator, element_size(job));
-    fits[k] = fit_job(job, models[k], used_shots(job), thorough_search());
+    fitted.models[k] = finite_element_model(job, hypothesis, emulator, element_size(job));
+    fitted.fits[k] = fit_job(job, fitted.models[k], used_shots(job), thorough_search());
     const JobModel without_mesh = finite_element_model(job, hypothesis, emulator, 0);
-    results[k] = read_out(job, k, models[k], without_mesh, fits[k], limits);
+    results[k] = read_out(job, k, fitted.models[k], without_mesh, fitted.fits[k], limits);
   });
+  for (const Hypothesis& hypothesis : job.hypotheses) announce(fmt::format("\"{}\" is fitted", hypothesis.name));
+  if (!emulator) return results;
+  auto fresh = fresh_runs(job, fitted, *emulator, campaign, limits.deadline(share_for_fresh_runs));
   for (int k = 0; k < count_of(job.hypotheses); ++k) {
-    HypothesisResult& result = results[k];
-    announce(fmt::format("\"{}\" is fitted", job.hypotheses[k].name));
-    if (limits.spent()) {
-      result.findings.push_back("Not checked by fresh runs: the budget was spent.");
-      continue;
-    }
-    add_fresh_runs(job, result, fresh_runs(job, k, models[k], fits[k], emulator, campaign));
+    const std::size_t missing = fitted.fits[k].shots.size() - fresh[k].size();
+    if (missing > 0)
+      results[k].findings.push_back(
+          fmt::format("{} of {} fitted shots were not checked by fresh runs: the budget ended.", missing,
+                      fitted.fits[k].shots.size()));
+    add_fresh_runs(job, results[k], std::move(fresh[k]));
   }
   return results;
 }
@@ -191,10 +193,11 @@ std::string what_more_time_buys(const EmulatorReport& report) {
   const double total = std::hypot(report.error_at_optimum, report.data_error);
   const double better = std::hypot(report.error_at_optimum / std::sqrt(2.0), report.data_error);
   return fmt::format(
-      "Twice the runs ({:.0f} s more of processor time) would bring the emulator's error from {:.2g} to about {:.2g} "
-      "%; beside the data's {:.2g} % that makes intervals {:.2g} % narrower.",
-      report.rounds.back().cpu_seconds, 100 * report.error_at_optimum, 100 * report.error_at_optimum / std::sqrt(2.0),
-      100 * report.data_error, 100 * (1 - better / total));
+      "Twice the runs ({:.0f} s more of processor time) would bring the emulator's error from {} to about {}; beside "
+      "the data's {} that makes intervals {} narrower.",
+      report.rounds.back().cpu_seconds, page::rough_percent(report.error_at_optimum),
+      page::rough_percent(report.error_at_optimum / std::sqrt(2.0)), page::rough_percent(report.data_error),
+      page::rough_percent(1 - better / total));
 }
 
 }  // namespace
@@ -203,15 +206,21 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
                             const CalibrationLimits& limits, const Announce& announce) {
   largest_run(job);  // throws where it cannot be run
   CalibrationResult result;
-  Training training(job, &store, campaign, limits);
-  const Trained trained = train(job, training, campaign, limits, announce);
-  training.report().stopped = trained.why;
-  if (training.has_emulator()) finish_report(training.report(), training.emulator());
-  result.emulator = training.report();
-  if (trained.fits.empty())
-    result.findings.push_back("No hypothesis was fitted: " + trained.why + ".");
+  std::optional<Training> training;
+  std::string hopeless;
+  if (!job.shots.empty()) {
+    training.emplace(job, &store, campaign, limits);
+    const Trained trained = train(job, *training, campaign, limits, announce);
+    training->report().stopped = trained.why;
+    if (training->has_emulator()) finish_report(training->report(), training->emulator());
+    result.emulator = training->report();
+    if (trained.fitted.fits.empty()) hopeless = trained.why;
+  }
+  if (hopeless.empty())
+    result.hypotheses =
+        read_all(job, training ? std::optional(training->emulator()) : std::nullopt, campaign, limits, announce);
   else
-    result.hypotheses = read_all(job, training.emulator(), campaign, limits, announce);
+    result.findings.push_back("No hypothesis was fitted: " + hopeless + ".");
   if (job.dehn && !used_shots(job).empty()) result.dehn = fit_dehn(job);
   const auto findings = overall_findings(job, result);
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());

@@ -10,16 +10,22 @@
 
 namespace percal {
 
+// Shares of a budget, in the order of what comes: by when training, what is read out of its fits, and fresh runs are over. The rest is
+// for the result's files.
+inline constexpr double share_for_training = 0.55, share_for_reading = 0.75, share_for_fresh_runs = 0.97;
+
 // How long a calibration may go on.
 struct CalibrationLimits {
   std::optional<double> budget_seconds;  // wall time from `start`
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
-  // A share of the budget is over; never without a budget.
-  bool spent(double share = 1) const {
-    if (!budget_seconds) return false;
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >= share * *budget_seconds;
+  // When a share of the budget is over; never without a budget.
+  Campaign::Deadline deadline(double share) const {
+    if (!budget_seconds) return std::nullopt;
+    const std::chrono::duration<double> time(share * *budget_seconds);
+    return start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(time);
   }
+  bool spent(double share) const { return budget_seconds && std::chrono::steady_clock::now() >= deadline(share); }
 };
 
 // Announces what it does in sentences. A budget that runs out ends the training and the checks early, which the result says. With

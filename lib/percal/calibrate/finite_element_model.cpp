@@ -135,6 +135,10 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
   return answer;
 }
 
+ModelAnswer nothing(const VectorXd& searched) {
+  return {.value = VectorXd(0), .jacobian = MatrixXd(0, searched.size()), .covariance = MatrixXd(0, 0)};
+}
+
 }  // namespace
 
 std::vector<double> stress_scales(const MeasuredCurve& curve) {
@@ -161,7 +165,7 @@ std::vector<Datum> curve_data(const CalibrationJob& job) {
   return data;
 }
 
-JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, const Emulator& emulator,
+JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, std::optional<Emulator> emulator,
                               double h) {
   auto context = std::make_shared<Context>();
   context->job = job;
@@ -177,12 +181,18 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
          place_of(material.erosion_strain, context->layout.of_job),
          material.erosion_length ? place_of(*material.erosion_length, context->layout.of_job) : -1});
   JobModel model = context->layout;  // its functions are still empty
-  model.log_depths = [context, emulator, h](const VectorXd& searched, std::span<const MeasuredShot> shots, Want want) {
-    return emulated_depths(*context, emulator, h, searched, shots, want);
-  };
-  model.speed_exponents = [context, emulator, h](const VectorXd& searched, std::span<const MeasuredShot> shots) {
-    return emulated_speed_exponents(*context, emulator, h, searched, shots);
-  };
+  if (emulator) {
+    const auto own = std::make_shared<const Emulator>(std::move(*emulator));
+    model.log_depths = [context, own, h](const VectorXd& searched, std::span<const MeasuredShot> shots, Want want) {
+      return emulated_depths(*context, *own, h, searched, shots, want);
+    };
+    model.speed_exponents = [context, own, h](const VectorXd& searched, std::span<const MeasuredShot> shots) {
+      return emulated_speed_exponents(*context, *own, h, searched, shots);
+    };
+  } else {
+    model.log_depths = [](const VectorXd& searched, std::span<const MeasuredShot>, Want) { return nothing(searched); };
+    model.speed_exponents = [](const VectorXd&, std::span<const MeasuredShot>) { return VectorXd(0); };
+  }
   if (!job.curves.empty())
     model.stresses = [context](const VectorXd& searched, Want want) { return stresses(*context, searched, want); };
   return model;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/calibrate/fresh_runs.hpp"
 #include "percal/calibrate/hypothesis_fit.hpp"
 #include "percal/calibrate/layer_width.hpp"
 #include "percal/calibrate/shot_problem.hpp"

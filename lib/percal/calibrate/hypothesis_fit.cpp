@@ -6,7 +6,8 @@
 #include "percal/calibrate/error_budget.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/shot_problem.hpp"
-#include "percal/math/statistics.hpp"
+#include "percal/calibrate/verdict.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
@@ -81,6 +82,7 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   for (int k : fit.of_model) result.parameters.push_back(model.of_job[k]);
   result.intervals = region_intervals(fit.problem, fit.minima, job.level, quick_search());
   result.combinations = combinations(fit.problem, fit.best());
+  result.verdict = verdict_of(job, hypothesis, model, fit);
   result.shots = shot_depths(job, model, fit, all_shots(job));
   result.curves = curve_stresses(job, model, fit);
   result.sets = set_deviations(job, result.shots);
@@ -99,74 +101,18 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
     result.budgets.push_back(error_budget(job, model, fit, quantity, mesh_shift));
   result.advice = advise(job, model, fit, quantities);
   result.findings = hypothesis_findings(job, fit, result);
-  if (limits.spent()) {
-    result.findings.push_back("Without cross-validation, bootstrap and ridge: the budget was spent.");
-    return result;
-  }
-  add_predictions(job, hypothesis, model, fit, result);
-  if (job.bootstrap > 0)
+  std::vector<std::string> left_out;
+  const auto in_time = [&](const char* what) {
+    if (limits.spent(share_for_reading)) left_out.push_back(what);
+    return !limits.spent(share_for_reading);
+  };
+  if (in_time("cross-validation")) add_predictions(job, hypothesis, model, fit, result);
+  if (job.bootstrap > 0 && in_time("bootstrap"))
     result.bootstrap = bootstrap(fit.problem, fit.best(), BootstrapKind::parametric, job.bootstrap, job.level,
                                  job.training.seed, quick_search());
-  result.ridges = ridges(job, model, fit);
+  if (in_time("ridge")) result.ridges = ridges(job, model, fit);
+  if (!left_out.empty()) result.findings.push_back("The budget left no time for: " + listed(left_out) + ".");
   return result;
-}
-
-std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, const JobModel& model,
-                                    const JobFit& fit) {
-  const Hypothesis& read = job.hypotheses[hypothesis];
-  const auto natural = natural_values(job, read, model.of_job, fit.at);
-  std::vector<Problem> problems;
-  for (const MeasuredShot& shot : shots_of(job, fit.shots)) {
-    const MaterialAt material = material_at(job, read, shot.material, natural);
-    problems.push_back(shot_problem(job, shot, material, mesh_of(shot, material, job.training.verify)));
-  }
-  return problems;
-}
-
-std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
-                                 const Emulator& emulator, Campaign& campaign) {
-  const auto problems = fresh_problems(job, hypothesis, model, fit);
-  const int replicates = job.training.verify_replicates;
-  Progress progress("fresh runs at the best point: " + job.hypotheses[hypothesis].name,
-                    static_cast<long>(problems.size()) * replicates);
-  const auto runs = campaign.replicate(problems, replicates, &progress);
-  const ModelAnswer emulated = model.log_depths(fit.at, shots_of(job, fit.shots), Want::values_and_covariance);
-  const double noise = emulator.noise(1.0 / job.training.verify);
-  std::vector<FreshRun> fresh;
-  for (std::size_t k = 0; k < fit.shots.size(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    FreshRun run{.shot = fit.shots[k],
-                 .elements_per_radius = problems[k].elements_per_radius,
-                 .depth = {},
-                 .outcome = "stopped"};
-    if (has_erosion_length(job)) run.elements_in_length = job.training.verify;
-    run.emulated = std::exp(emulated.value[i]);
-    std::vector<double> depths;
-    for (const Evaluation& evaluation : runs[k]) {
-      if (evaluation.result.outcome == Outcome::stopped)
-        depths.push_back(evaluation.result.depth * job.shots[fit.shots[k]].radius);
-      else
-        run.outcome = word(evaluation.result.outcome);
-    }
-    if (static_cast<int>(depths.size()) == replicates) {
-      run.depth = mean(depths);
-      run.standardised = std::log(*run.depth / run.emulated) /
-                         std::sqrt(emulated.covariance(i, i) + noise * noise / static_cast<double>(replicates));
-    }
-    fresh.push_back(run);
-  }
-  return fresh;
-}
-
-double spread(const std::vector<FreshRun>& runs) {
-  double sum = 0;
-  int count = 0;
-  for (const FreshRun& run : runs)
-    if (run.depth) {
-      sum += run.standardised * run.standardised;
-      ++count;
-    }
-  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace percal

@@ -12,20 +12,6 @@ namespace percal {
 HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobModel& model,
                           const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits);
 
-// The fitted shots at the best point, on the verifying mesh.
-std::vector<Problem> fresh_problems(const CalibrationJob& job, int hypothesis, const JobModel& model,
-                                    const JobFit& fit);
-
-// These runs, with their replicates, beside the emulator.
-std::vector<FreshRun> fresh_runs(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
-                                 const Emulator& emulator, Campaign& campaign);
-
-// Root mean square of the standardised differences: 1 where the emulator's stated error is right. 0 without a run that stopped.
-double spread(const std::vector<FreshRun>& runs);
-
-// Above it the emulator's stated error is taken to be too small; some 25 runs scatter about 1 by 0.14.
-inline constexpr double trusted_spread = 1.3;
-
 // Error of the emulator and of the data at the fitted shots, as relative standard deviations, means over the shots.
 struct ErrorSizes {
   double emulator = 0, data = 0;

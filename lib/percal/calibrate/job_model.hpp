@@ -2,6 +2,7 @@
 // emulator, Dehn's by its closed form; fits, cross-validations and predictions do not know which.
 #pragma once
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct JobModel {
   std::function<ModelAnswer(const Eigen::VectorXd& searched, Want want)> stresses;
 };
 
-// The job's parameters that the hypothesis leaves free; depths by the emulator on a mesh of element size h.
-JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, const Emulator& emulator,
+// The job's parameters that the hypothesis leaves free; depths by the emulator on a mesh of element size h. Without an emulator, which
+// is for a job without shots, there are none.
+JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, std::optional<Emulator> emulator,
                               double h);
 
 // One drag coefficient c for all, one strength s for each material that has a parameter of its own for the modulus.

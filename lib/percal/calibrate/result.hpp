@@ -54,6 +54,7 @@ struct FreshRun {
   double emulated = 0;      // m, on the same mesh
   double standardised = 0;  // (ln depth - ln emulated) over the emulator's standard deviation, noise included
   std::optional<double> elements_in_length = {};  // in the erosion length, where there is one
+  int runs = 0;                                   // whose mean it is: one for each phase of the mesh that was tried
 };
 
 struct CrossValidationResult {
@@ -89,8 +90,34 @@ struct MaterialModuli {
   std::optional<double> curve_modulus;                          // the job's, beside it
 };
 
+// Whether the kinds of data of a job say one thing.
+enum class DataAgreement { agrees, cannot_tell, disagrees };
+
+inline const char* word(DataAgreement agreement) {
+  constexpr const char* words[] = {"agrees", "cannot tell", "disagrees"};
+  return words[static_cast<int>(agreement)];
+}
+
+// Of a material with curves and fitted shots: by how much its modulus at the shots' rate exceeds that of its curves, as the data have it
+// when the factor is free, beside the job's.
+struct ImpliedRateFactor {
+  int material = 0;
+  Estimate implied = {};
+  double given = 1, given_error = 0;  // relative standard deviation
+  Estimate modulus_of_depths = {};    // Pa, as given; the interval is its own point where the modulus is held
+  double modulus_of_curves = 0;       // Pa, as given
+  DataAgreement agreement = DataAgreement::cannot_tell;
+};
+
+struct Verdict {
+  DataAgreement agreement = DataAgreement::cannot_tell;
+  std::vector<std::string> sentences;  // why; and what else no reader may miss
+  std::vector<ImpliedRateFactor> rate_factors;
+};
+
 struct HypothesisResult {
-  int index = 0;                // of CalibrationJob::hypotheses
+  int index = 0;  // of CalibrationJob::hypotheses
+  Verdict verdict = {};
   std::vector<Minimum> minima;  // best first; parameters: those of the job that are not held
   std::vector<int> parameters;  // job parameter of each fitted one
   std::vector<ProfileInterval> intervals;

@@ -67,7 +67,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
 }
 
 void Training::fill_space() {
-  while (design_runs_ < std::min(job_.training.initial, job_.training.most) && !limits_.spent()) {
+  while (design_runs_ < std::min(job_.training.initial, job_.training.most) && !out_of_time()) {
     const int wanted = emulator_ ? job_.training.batch : first_round;
     const auto batch = space_filling_batch(std::min(wanted, job_.training.most - design_runs_));
     if (batch.empty()) break;
@@ -101,37 +101,37 @@ void Training::add_round(const std::vector<Target>& targets, const std::vector<C
   learn();
 }
 
-void Training::add_runs(const std::vector<Problem>& problems) {
-  run(problems);
+void Training::add_runs(const std::vector<Problem>& problems,
+                        const std::vector<std::optional<Evaluation>>& evaluations) {
+  count(problems, evaluations);
   learn();
 }
 
-// In pieces, so that a budget is kept; the pieces' size does not change what is learnt without one.
 void Training::run(const std::vector<Problem>& problems) {
   Progress progress("runs for the emulator", static_cast<long>(problems.size()));
-  const std::size_t piece =
-      limits_.budget_seconds ? static_cast<std::size_t>(2 * campaign_.threads()) : problems.size();
   const CampaignCost before = campaign_.cost();
-  for (std::size_t first = 0; first < problems.size() && !limits_.spent(); first += piece) {
-    const std::vector<Problem> part(
-        problems.begin() + static_cast<std::ptrdiff_t>(first),
-        problems.begin() + static_cast<std::ptrdiff_t>(std::min(first + piece, problems.size())));
-    const auto evaluations = campaign_.evaluate(part, &progress);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      ++design_runs_;
-      const Evaluation& evaluation = evaluations[i];
-      cpu_seconds_ += evaluation.cpu_seconds;
-      ++report_.outcomes[word(evaluation.result.outcome)];
-      const std::string key = evaluation_key(part[i], evaluation.instruction_level);
-      if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
-      taken_.push_back(key);
-      if (evaluation.result.outcome == Outcome::stopped)
-        runs_.push_back(training_run(part[i], evaluation.result.depth));
-    }
-  }
+  count(problems, campaign_.evaluate_by(limits_.deadline(share_for_training), problems, &progress));
   const CampaignCost after = campaign_.cost();
   report_.runs += static_cast<int>(after.runs - before.runs);
   report_.reused += static_cast<int>(after.reused - before.reused);
+}
+
+void Training::count(const std::vector<Problem>& problems, const std::vector<std::optional<Evaluation>>& evaluations) {
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    if (!evaluations[i]) {
+      out_of_time_ = true;
+      continue;
+    }
+    ++design_runs_;
+    const Evaluation& evaluation = *evaluations[i];
+    cpu_seconds_ += evaluation.cpu_seconds;
+    ++report_.outcomes[word(evaluation.result.outcome)];
+    const std::string key = evaluation_key(problems[i], evaluation.instruction_level);
+    if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
+    taken_.push_back(key);
+    if (evaluation.result.outcome == Outcome::stopped)
+      runs_.push_back(training_run(problems[i], evaluation.result.depth));
+  }
 }
 
 void Training::learn() {

@@ -34,10 +34,12 @@ class Training {
   };
   void add_round(const std::vector<Target>& targets, const std::vector<Candidate>& candidates);
 
-  // Runs that were asked for elsewhere: learnt from like the others.
-  void add_runs(const std::vector<Problem>& problems);
+  // Runs that were made elsewhere: learnt from like the others.
+  void add_runs(const std::vector<Problem>& problems, const std::vector<std::optional<Evaluation>>& evaluations);
 
   bool full() const { return design_runs_ >= job_.training.most; }
+  // The budget's share for runs is over, or the next run would not be done by then.
+  bool out_of_time() const { return out_of_time_ || limits_.spent(share_for_training); }
   const Emulator& emulator() const { return *emulator_; }
   bool has_emulator() const { return emulator_.has_value(); }
   EmulatorReport& report() { return report_; }
@@ -47,6 +49,7 @@ class Training {
  private:
   void take_foreign_runs();
   void run(const std::vector<Problem>& problems);
+  void count(const std::vector<Problem>& problems, const std::vector<std::optional<Evaluation>>& evaluations);
   void learn();
   std::vector<Problem> space_filling_batch(int count);
 
@@ -60,6 +63,7 @@ class Training {
   std::optional<Emulator> emulator_;
   EmulatorReport report_;
   int design_runs_ = 0, next_point_ = 0, searched_at_ = 0;
+  bool out_of_time_ = false;
   double cpu_seconds_ = 0;
 };
 

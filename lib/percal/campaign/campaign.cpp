@@ -53,9 +53,32 @@ Evaluation Campaign::read(const StoredEvaluation& stored) const {
   }
 }
 
+namespace {
+
+// What a run is expected to cost in proportion to.
+double expected_work(const Problem& problem) {
+  const RunSize size = size_of(problem);
+  return size.elements * size.steps;
+}
+
+}  // namespace
+
 struct Campaign::Books {
   std::mutex mutex;
   CampaignCost cost;
+  double work = 0, wall_seconds = 0;  // of the runs done here
+
+  void add(const Problem& problem, const Evaluation& evaluation) {
+    const std::lock_guard lock(mutex);
+    ++cost.runs;
+    cost.cpu_seconds += evaluation.cpu_seconds;
+    work += expected_work(problem);
+    wall_seconds += evaluation.wall_seconds;
+  }
+  double expected_seconds(const Problem& problem) {
+    const std::lock_guard lock(mutex);
+    return work > 0 ? wall_seconds / work * expected_work(problem) : 0;
+  }
 };
 
 Campaign::Campaign(Store* store, int threads)
@@ -63,9 +86,10 @@ Campaign::Campaign(Store* store, int threads)
       threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
       books_(std::make_shared<Books>()) {}
 
-Evaluation Campaign::evaluate(const Problem& problem) { return evaluate(problem, 1, nullptr); }
+Evaluation Campaign::evaluate(const Problem& problem) { return *evaluate(problem, 1, nullptr, {}); }
 
-Evaluation Campaign::evaluate(const Problem& problem, int threads, FrameObserver* observer) {
+std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads, FrameObserver* observer,
+                                             const Deadline& deadline) {
   if (stop_wanted_ && stop_wanted_()) throw Interrupted();
   const std::string key = evaluation_key(problem, instruction_level());
   if (store_ && !observer && problem.history_samples == 0) {
@@ -76,16 +100,30 @@ Evaluation Campaign::evaluate(const Problem& problem, int threads, FrameObserver
       return evaluation;
     }
   }
+  if (deadline) {
+    const std::chrono::duration<double> left = *deadline - std::chrono::steady_clock::now();
+    if (left.count() < books_->expected_seconds(problem)) return std::nullopt;
+  }
   Evaluation evaluation = run(problem, threads, observer);
   if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
-  const std::lock_guard lock(books_->mutex);
-  ++books_->cost.runs;
-  books_->cost.cpu_seconds += evaluation.cpu_seconds;
+  books_->add(problem, evaluation);
   return evaluation;
 }
 
 std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
                                            const Watch& watch) {
+  std::vector<Evaluation> all;
+  for (auto& evaluation : evaluate(problems, progress, watch, {})) all.push_back(std::move(*evaluation));
+  return all;
+}
+
+std::vector<std::optional<Evaluation>> Campaign::evaluate_by(const Deadline& deadline,
+                                                             const std::vector<Problem>& problems, Progress* progress) {
+  return evaluate(problems, progress, {}, deadline);
+}
+
+std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
+                                                          const Watch& watch, const Deadline& deadline) {
   // Problems that are the same are evaluated once; those with a history apart from those without.
   std::map<std::string, std::size_t> first_with_key;
   std::vector<std::size_t> stands_for(problems.size()), distinct;
@@ -96,11 +134,11 @@ std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems,
     stands_for[i] = place->second;
     if (is_new) distinct.push_back(i);
   }
-  std::vector<Evaluation> results(problems.size());
+  std::vector<std::optional<Evaluation>> results(problems.size());
   const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(distinct.size())));
   side_by_side(static_cast<int>(distinct.size()), [&](int k) {
-    results[distinct[k]] =
-        evaluate(problems[distinct[k]], threads_each, distinct[k] == watch.problem ? watch.observer : nullptr);
+    results[distinct[k]] = evaluate(problems[distinct[k]], threads_each,
+                                    distinct[k] == watch.problem ? watch.observer : nullptr, deadline);
     if (progress) progress->add();
   });
   for (std::size_t i = 0; i < problems.size(); ++i)

@@ -1,9 +1,11 @@
 // Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core; where there are
 // fewer runs than cores, large ones get several. The bits are the same.
 #pragma once
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,12 @@ class Campaign {
   // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null.
   std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress, const Watch& watch = {});
 
+  // The same, but a run is begun only where it is expected to be done by the deadline, from what the campaign's runs have cost so
+  // far; the first runs of a campaign are begun at once. A result is empty where its run was not begun. Without a deadline, all are.
+  using Deadline = std::optional<std::chrono::steady_clock::time_point>;
+  std::vector<std::optional<Evaluation>> evaluate_by(const Deadline& deadline, const std::vector<Problem>& problems,
+                                                     Progress* progress);
+
   // The replicates of each problem (problem/replicates.hpp): results[i] belongs to problems[i].
   std::vector<std::vector<Evaluation>> replicate(const std::vector<Problem>& problems, int replicates,
                                                  Progress* progress);
@@ -59,7 +67,10 @@ class Campaign {
   int threads() const { return threads_; }
 
  private:
-  Evaluation evaluate(const Problem& problem, int threads, FrameObserver* observer);
+  std::optional<Evaluation> evaluate(const Problem& problem, int threads, FrameObserver* observer,
+                                     const Deadline& deadline);
+  std::vector<std::optional<Evaluation>> evaluate(const std::vector<Problem>& problems, Progress* progress,
+                                                  const Watch& watch, const Deadline& deadline);
   Evaluation read(const StoredEvaluation& stored) const;
 
   struct Books;

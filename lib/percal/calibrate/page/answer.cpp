@@ -41,12 +41,34 @@ std::vector<Found> moduli_of(const Json& hypothesis, Moduli wanted) {
   return all;
 }
 
-std::vector<Found> numbers_of(const Json& result, const Json& hypothesis) {
-  const bool alone = list(result, "hypotheses").size() == 1;  // there is room for both
-  std::vector<Found> all = moduli_of(hypothesis, alone ? Moduli::all : Moduli::main);
+// Exponents and erosion strains that were fitted, and what rate factors would be if they were free.
+void add_other_numbers(const Json& result, const Json& hypothesis, std::vector<Found>& all) {
   for (const Json& one : list(hypothesis, "parameters"))
     if (!is_modulus(result, text(one, "name")))
       all.push_back({text(one, "name"), value_words(one, "value"), interval_words(one, "interval")});
+  for (const Json& one : list(at(hypothesis, "verdict"), "rate_factors"))
+    all.push_back({"implied rate factor of " + text(one, "material"), shown(number(one, "implied"), 2),
+                   interval_words(one, "implied_interval")});
+}
+
+// The first hypothesis in one line.
+std::vector<Found> headline_of(const Json& result, const Json& hypothesis) {
+  std::vector<Found> all = moduli_of(hypothesis, Moduli::main);
+  add_other_numbers(result, hypothesis, all);
+  return all;
+}
+
+std::string agreement_words(const Json& hypothesis) {
+  const std::string agreement = text(at(hypothesis, "verdict"), "agreement");
+  if (agreement == word(DataAgreement::agrees)) return "The data agree";
+  return agreement == word(DataAgreement::disagrees) ? "The data contradict each other or the model"
+                                                     : "Whether the data agree cannot be told";
+}
+
+std::vector<Found> numbers_of(const Json& result, const Json& hypothesis) {
+  const bool alone = list(result, "hypotheses").size() == 1;  // there is room for both
+  std::vector<Found> all = moduli_of(hypothesis, alone ? Moduli::all : Moduli::main);
+  add_other_numbers(result, hypothesis, all);
   for (const Json& one : list(hypothesis, "held"))
     if (!is_modulus(result, text(one, "name"))) all.push_back({text(one, "name"), value_words(one, "value"), "held"});
   if (const FittedDepths fitted = fitted_depths(hypothesis); fitted.count > 0)
@@ -115,6 +137,21 @@ Section asked_section(const Json& result) {
   return section;
 }
 
+// What each hypothesis makes of the data, before any number.
+Section verdict_section(const Json& result) {
+  const Json& hypotheses = list(result, "hypotheses");
+  Section section{.id = "verdict", .title = "Do the data agree?", .blocks = {}, .detail = Detail::answer};
+  for (std::size_t n = 0; n < hypotheses.size(); ++n) {
+    const Json& verdict = at(hypotheses[n], "verdict");
+    const std::string agreement = text(verdict, "agreement");
+    std::vector<std::string> items = texts(at(verdict, "sentences"));
+    if (hypotheses.size() > 1)
+      for (std::string& item : items) item = fmt::format("{}, {}: {}", n + 1, agreement, item);
+    add(section, List{items, agreement == word(DataAgreement::disagrees) ? Tone::warning : Tone::plain});
+  }
+  return section;
+}
+
 Section numbers_section(const Json& result) {
   Section section{.id = "answer", .title = "What came out", .blocks = {}, .detail = Detail::answer};
   Table table = number_table(result);
@@ -166,17 +203,19 @@ std::string summary_of(const Json& result) {
   const Json& hypotheses = list(result, "hypotheses");
   if (hypotheses.empty()) return "No hypothesis could be fitted.";
   std::string summary;
-  for (const Found& one : moduli_of(hypotheses.front(), Moduli::main))
+  for (const Found& one : headline_of(result, hypotheses.front()))
     summary += fmt::format("{}{}{}{} {} ({})", summary.empty() ? "" : "; ", one.rate, one.rate.empty() ? "" : " ",
                            one.what, one.value, one.interval);
-  return fmt::format("{}: true moduli with {} intervals, by the hypothesis \"{}\"{}.", summary, level_words(result),
+  return fmt::format("{}. {}: true moduli with {} intervals, by the hypothesis \"{}\"{}.",
+                     agreement_words(hypotheses.front()), summary, level_words(result),
                      text(hypotheses.front(), "name"),
                      hypotheses.size() > 1 ? fmt::format(", the first of {}", hypotheses.size()) : "");
 }
 
 void add_answer(Page& page, const Json& result) {
   page.summary = summary_of(result);
-  for (Section section : {asked_section(result), numbers_section(result), known_section(result), next_section(result)})
+  for (Section section : {verdict_section(result), asked_section(result), numbers_section(result),
+                          known_section(result), next_section(result)})
     add(page, std::move(section));
 }
 

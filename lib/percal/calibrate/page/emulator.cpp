@@ -65,6 +65,7 @@ Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs)
     all.push_back({{"shot", run.shot},
                    {"label", job.shots[run.shot].label},
                    {"elements_per_radius", run.elements_per_radius},
+                   {"runs", run.runs},
                    {"outcome", run.outcome},
                    {"depth_m", finite(run.depth)},
                    {"emulated_m", finite(run.emulated)},
@@ -120,12 +121,13 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
 
 Table fresh_table(const Json& hypothesis) {
   Table table{.caption = "Fresh runs at the best point",
-              .rows = {{"shot", "run", "emulator", "in stated errors"}},
+              .rows = {{"shot", "mean of", "depth", "emulator", "in stated errors"}},
               .notes = {}};
   for (const Json& run : list(hypothesis, "fresh_runs")) {
     const auto depth = number(run, "depth_m");
-    table.rows.push_back({text(run, "label"), depth ? length(depth) : text(run, "outcome"),
-                          length(number(run, "emulated_m")), shown(number(run, "standardised_difference"), 2)});
+    table.rows.push_back({text(run, "label"), counted(static_cast<long>(number_or(run, "runs", 0)), "run"),
+                          depth ? length(depth) : text(run, "outcome"), length(number(run, "emulated_m")),
+                          shown(number(run, "standardised_difference"), 2)});
   }
   return table;
 }
@@ -198,6 +200,7 @@ void add_fresh_runs(Section& section, const Json& result, const Json& hypothesis
 Section emulator_section(const Json& result) {
   Section section{.id = "emulator", .title = "Error against run time", .blocks = {}};
   const Json& emulator = at(result, "emulator");
+  if (list(at(result, "data"), "shots").empty()) return section;  // nothing was run
   add(section, error_figure(emulator));
   add(section, emulator_table(emulator));
   add(section, round_table(emulator));

@@ -13,9 +13,25 @@ namespace percal {
 namespace calibration_page {
 namespace {
 
+Json verdict_to_json(const CalibrationJob& job, const Verdict& verdict) {
+  Json factors = Json::array();
+  for (const ImpliedRateFactor& rate : verdict.rate_factors)
+    factors.push_back({{"material", job.materials[rate.material].name},
+                       {"given", rate.given},
+                       {"given_error", rate.given_error},
+                       {"implied", finite(rate.implied.value)},
+                       {"implied_interval", interval_to_json(rate.implied.interval)},
+                       {"mu_of_depths_Pa", finite(rate.modulus_of_depths.value)},
+                       {"mu_of_depths_interval_Pa", interval_to_json(rate.modulus_of_depths.interval)},
+                       {"mu_of_curves_Pa", finite(rate.modulus_of_curves)},
+                       {"agreement", word(rate.agreement)}});
+  return {{"agreement", word(verdict.agreement)}, {"sentences", verdict.sentences}, {"rate_factors", factors}};
+}
+
 Json hypothesis_to_json(const CalibrationJob& job, const HypothesisResult& result) {
   const Hypothesis& hypothesis = job.hypotheses[result.index];
   Json json{{"name", hypothesis.name},
+            {"verdict", verdict_to_json(job, result.verdict)},
             {"convention", word(hypothesis.convention)},
             {"strain_measure", word(hypothesis.measure)},
             {"ridges", ridges_to_json(fitted_parameters(job, result), result.ridges)},

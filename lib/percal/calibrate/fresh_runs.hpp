@@ -1,0 +1,38 @@
+// Runs at the best points of the hypotheses, on a finer mesh than the emulator learnt from: no answer is taken from it alone.
+#pragma once
+#include <vector>
+
+#include "percal/calibrate/job_fit.hpp"
+#include "percal/campaign/campaign.hpp"
+#include "percal/problem/problem.hpp"
+
+namespace percal {
+
+// What an emulator's fit of each hypothesis of a job is: entry k of both belongs to hypothesis k.
+struct FittedHypotheses {
+  std::vector<JobModel> models;
+  std::vector<JobFit> fits;
+};
+
+// The fitted shots of all hypotheses at their best points on the verifying mesh, one run each at a phase drawn by the job's seed: to
+// learn from.
+std::vector<Problem> single_fresh_problems(const CalibrationJob& job, const FittedHypotheses& fitted);
+
+// The root mean square of (ln depth - ln emulated) over the emulator's stated error, noise included, of such runs, under the hypothesis
+// where it is largest: 1 where that error is right. 0 without a run that stopped.
+double spread_of_single_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
+                             const std::vector<std::optional<Evaluation>>& runs);
+
+// The same shots with their replicates over the mesh phase: [hypothesis][fitted shot]. Before the deadline every shot gets its first
+// replicate before any gets a second; shots that got none are left out.
+std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted,
+                                              const Emulator& emulator, Campaign& campaign,
+                                              const Campaign::Deadline& deadline);
+
+// The same of one hypothesis.
+double spread(const std::vector<FreshRun>& runs);
+
+// Above it the emulator's stated error is taken to be too small; some 25 runs scatter about 1 by 0.14.
+inline constexpr double trusted_spread = 1.3;
+
+}  // namespace percal
