@@ -129,21 +129,18 @@ TEST(Uncertainty, PlanarTensionHasAnIntervalForEachSignOfAlpha) {
 TEST(Uncertainty, TheRegionHoldsATruthThatTheBestMinimumMisses) {
   constexpr Ogden solid{.mu = 20e3, .alpha = -5};
   const auto holds = [&](const Interval& piece) { return piece.low <= solid.alpha && solid.alpha <= piece.high; };
-  int missed = 0;
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (const unsigned seed : {33u, 34u}) {
     NormalNumbers normal(seed);
     const auto data =
-        test::noisy_curve(solid, test::states({.points = 20, .low = 1.03, .high = 1.6}), {.absolute = 550}, normal);
+        test::noisy_curve(solid, test::states({.points = 20, .low = 1.03, .high = 1.6}), {.absolute = 630}, normal);
     const auto result = of(data, {.residual = Residual::absolute});
-    const auto& pieces = result.region.at(1).pieces;
-    EXPECT_EQ(result.region[1].name, "alpha");
-    if (pieces.size() < 2 || holds(result.minima[0].parameters[1].interval)) continue;
-    ++missed;
-    EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), holds)) << "seed " << seed;
-    EXPECT_EQ(pieces[0].high < pieces[1].low, true) << "seed " << seed;
-    EXPECT_THAT(all(result.findings), HasSubstr("The data do not choose between 2 minima"));
+    const ParameterRegion& alpha = result.region.at(1);
+    EXPECT_EQ(alpha.name, "alpha");
+    EXPECT_FALSE(holds(result.minima.at(0).parameters.at(1).interval)) << seed;
+    ASSERT_EQ(alpha.pieces.size(), 2u) << seed;
+    EXPECT_TRUE(holds(alpha.pieces[0])) << seed;
+    EXPECT_THAT(all(result.findings), HasSubstr("The data do not choose between 2 minima")) << seed;
   }
-  EXPECT_GE(missed, 1);
 }
 
 TEST(Uncertainty, StandardErrorsThatTheResidualsBearOutAreUsed) {

@@ -157,6 +157,11 @@ Json fit_to_json(const CalibrationJob& job, const HypothesisResult& result) {
 
 // --- the page -------------------------------------------------------------------------------------------------------
 
+std::string allowed_words(const Json& parameter) {
+  return with_unit(parameter, "region").size() > 1 ? region_words(parameter, "region")
+                                                   : interval_words(parameter, "interval");
+}
+
 Table searched_table(const Json& result) {
   Table table{.caption = "Parameters",
               .rows = {{"parameter", "kind", "searched from", "to", "expected beforehand"}},
@@ -176,18 +181,12 @@ std::string verdict_on(const Json& parameter) {
   return verdict;
 }
 
-// The pieces where there are several.
-std::string region_words_of(const Json& parameter) {
-  return with_unit(parameter, "region").size() > 1 ? region_words(parameter, "region")
-                                                   : interval_words(parameter, "interval");
-}
-
 Table parameter_table(const Json& result, const Json& hypothesis) {
   Table table{.caption = "Parameters at the best minimum",
               .rows = {{"parameter", "value", level_words(result) + " interval", "bootstrap", "remark"}},
               .notes = {"Intervals by the profile likelihood."}};
   for (const Json& one : list(hypothesis, "parameters"))
-    table.rows.push_back({text(one, "name"), value_words(one, "value"), region_words_of(one),
+    table.rows.push_back({text(one, "name"), value_words(one, "value"), allowed_words(one),
                           interval_words(one, "bootstrap_interval"), verdict_on(one)});
   for (const Json& one : list(hypothesis, "held"))
     table.rows.push_back({text(one, "name"), value_words(one, "value"), "held", "-", ""});
