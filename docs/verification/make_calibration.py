@@ -1,7 +1,7 @@
 """Writes docs/verification/calibration.md from the results of the two example jobs.
 
-    percal calibrate data/guha2009/skin_consistent.toml --out skin_consistent.out
-    percal calibrate data/synthetic/joint.toml --out joint.out
+    percal calibrate data/guha2009/skin_consistent.toml --budget 60min --out skin_consistent.out
+    percal calibrate data/synthetic/joint.toml --budget 3min --out joint.out
     python3 docs/verification/make_calibration.py skin_consistent.out/result.json joint.out/result.json
 """
 import json
@@ -140,12 +140,17 @@ def round_rows(result):
     return [[r["runs"], f"{r['cpu_s']:.0f}", percent(r["error_at_optimum"])] for r in result["emulator"]["rounds"] if r["error_at_optimum"]]
 
 
+FRESH_HEAD = [HYPOTHESIS, "elements per radius", "fitted shots", "phases of each", "rms", "largest", "mesh: depth on none over this one, less 1"]
+
+
 def fresh_rows(result):
     rows = []
     for hypothesis in hypotheses(result):
         z = [f["standardised_difference"] for f in hypothesis["fresh_runs"] if f["standardised_difference"] is not None]
         if z:
-            rows.append([hypothesis["name"], hypothesis["fresh_runs"][0]["elements_per_radius"], len(z), f"{math.sqrt(sum(x * x for x in z) / len(z)):.2f}",
+            phases = [f["runs"] for f in hypothesis["fresh_runs"]]
+            rows.append([hypothesis["name"], hypothesis["fresh_runs"][0]["elements_per_radius"], f"{len(z)} of {sum(s['fitted'] for s in hypothesis['shots'])}",
+                         f"{min(phases)} to {max(phases)}", f"{math.sqrt(sum(x * x for x in z) / len(z)):.2f}",
                          f"{max(z, key=abs):+.1f}", percent(hypothesis["mesh_error"])])
     return rows
 
@@ -163,7 +168,8 @@ def shot_rows(result, index):
 
 
 def findings(result):
-    lines = [f"- {f}" for f in result["findings"]]
+    lines = [f"- {r['name']}: {r['verdict']['agreement']}. {s}" for r in hypotheses(result) for s in r["verdict"]["sentences"]]
+    lines += [f"- {f}" for f in result["findings"]]
     for hypothesis in hypotheses(result):
         lines.append(f"\n**{hypothesis['name']}**\n")
         lines += [f"- {f}" for f in hypothesis["findings"]]
@@ -173,7 +179,8 @@ def findings(result):
 
 def cost_text(result):
     cost = result["cost"]
-    return (f"{cost['runs']} runs done, {cost['reused']} reused, {cost['cpu_s']:.0f} s of processor time in runs, {cost['wall_s']:.0f} s in all, "
+    budget = f" of a budget of {cost['budget_s']:g} s" if cost["budget_s"] else ""
+    return (f"{cost['runs']} runs done, {cost['reused']} reused, {cost['cpu_s']:.0f} s of processor time in runs, {cost['wall_s']:.0f} s in all{budget}, "
             f"{processor()}, {cost['isa']}, two threads. {cost['advice']}\n")
 
 
@@ -225,7 +232,7 @@ Error at the optimum against cost:
 
 Fresh runs at the best point, on a mesh finer than any the emulator learnt from: root mean square of (run - emulator) over the emulator's stated error, 1 where that is right.
 
-{table([HYPOTHESIS, "elements per radius", "runs", "rms", "largest", "mesh: depth on none over this one, less 1"], fresh_rows(result))}
+{table(FRESH_HEAD, fresh_rows(result))}
 
 ### Findings
 
@@ -242,6 +249,8 @@ def joint_part(result):
 {table(["", "goal"] + [r["name"] for r in hypotheses(result)] + ["Dehn"], cross_rows(result))}
 
 {table(["runs learnt from", "CPU s", "design's runs", "leave one out", "over stated", "error at optimum", "data's", "noise of a run"], emulator_rows(result))}
+
+{table(FRESH_HEAD, fresh_rows(result))}
 
 {findings(result)}
 """

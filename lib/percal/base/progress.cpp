@@ -1,5 +1,7 @@
 #include "percal/base/progress.hpp"
 
+#include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,36 +10,63 @@
 
 namespace percal {
 namespace {
+
 std::atomic<bool> enabled{false};
-std::atomic<const Progress*> shown{nullptr};  // whose bar stands on the terminal
-constexpr int bar_width = 30;
+std::atomic<const Progress*> shown{nullptr};  // who may speak
+constexpr int longest_bar = 30, shortest_bar = 5, usual_columns = 80;
+constexpr std::chrono::milliseconds between_bars{100};
+constexpr std::chrono::minutes between_lines{1};
+
+bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
+
+int columns_of_terminal() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_columns;
+}
+
+double share_of(long done, long total) {
+  return total > 0 ? std::min(1.0, static_cast<double>(done) / static_cast<double>(total)) : 0;
+}
+
 }  // namespace
 
-void Progress::enable(bool wanted) { enabled = wanted && isatty(STDERR_FILENO) == 1; }
+std::string progress_line(const std::string& label, long done, long total, long left, int columns) {
+  const std::string count = fmt::format("  {}/{}", done, total),
+                    time = fmt::format("  {}:{:02} left", left / 60, left % 60);
+  const int room = columns - static_cast<int>(count.size() + time.size());
+  const int bar = std::min(longest_bar, room - static_cast<int>(label.size()) - 2);
+  if (bar < shortest_bar) return label.substr(0, static_cast<std::size_t>(std::max(room, 0))) + count + time;
+  const int full = static_cast<int>(share_of(done, total) * bar);
+  return label + count + "  " + std::string(full, '#') + std::string(bar - full, '.') + time;
+}
 
-Progress::Progress(std::string label, long total)
-    : label_(std::move(label)), total_(total), visible_(enabled), start_(std::chrono::steady_clock::now()) {
+void Progress::enable(bool wanted) { enabled = wanted; }
+
+Progress::Progress(std::string label, long total, std::optional<Clock::time_point> deadline)
+    : label_(std::move(label)), total_(total), visible_(enabled), deadline_(deadline), start_(Clock::now()) {
+  said_ = on_terminal() ? Clock::time_point() : start_;
   const Progress* nobody = nullptr;
   if (visible_) shown.compare_exchange_strong(nobody, this);
 }
 
 Progress::~Progress() {
   const Progress* mine = this;
-  if (visible_ && shown.load() == mine) {
+  if (!visible_ || shown.load() != mine) return;
+  if (on_terminal()) {
     std::fprintf(stderr, "\r\033[K");
     std::fflush(stderr);
-    shown.compare_exchange_strong(mine, nullptr);
   }
+  shown.compare_exchange_strong(mine, nullptr);
 }
 
 void Progress::add(long finished) {
   const std::lock_guard lock(mutex_);
   done_ += finished;
-  const auto now = std::chrono::steady_clock::now();
-  if (visible_ && (done_ >= total_ || now - drawn_ > std::chrono::milliseconds(100))) {
-    drawn_ = now;
-    draw();
-  }
+  if (!visible_) return;
+  const auto now = Clock::now();
+  const bool bar = on_terminal();
+  if (now - said_ >= (bar ? Clock::duration(between_bars) : Clock::duration(between_lines)) || (bar && done_ >= total_))
+    say(now);
 }
 
 void Progress::expect(long more) {
@@ -45,16 +74,19 @@ void Progress::expect(long more) {
   total_ += more;
 }
 
-void Progress::draw() {
+void Progress::say(Clock::time_point now) {
   const Progress* nobody = nullptr;
   if (!shown.compare_exchange_strong(nobody, this) && nobody != this) return;
-  const double share = total_ > 0 ? std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_)) : 0;
-  const double elapsed = std::chrono::duration<double>(drawn_ - start_).count();
-  const long left = share > 0 ? static_cast<long>(elapsed * (1 - share) / share + 0.5) : 0;
-  std::string bar(bar_width, '.');
-  std::fill_n(bar.begin(), static_cast<int>(share * bar_width), '#');
-  std::fprintf(stderr, "\r\033[K%s  %ld/%ld  %s  %ld:%02ld left", label_.c_str(), done_, total_, bar.c_str(), left / 60,
-               left % 60);
+  said_ = now;
+  const double share = share_of(done_, total_);
+  double left = share > 0 ? std::chrono::duration<double>(now - start_).count() * (1 - share) / share : 0;
+  if (deadline_) left = std::clamp(std::chrono::duration<double>(*deadline_ - now).count(), 0.0, left);
+  const long seconds = static_cast<long>(left + 0.5);
+  if (on_terminal())
+    std::fprintf(stderr, "\r\033[K%s",
+                 progress_line(label_, done_, total_, seconds, columns_of_terminal() - 1).c_str());
+  else
+    std::fprintf(stderr, "%s  %ld/%ld  %ld:%02ld left\n", label_.c_str(), done_, total_, seconds / 60, seconds % 60);
   std::fflush(stderr);
 }
 

@@ -1,17 +1,21 @@
-// A progress bar on a terminal; nothing in a pipe or a file.
+// How far a long piece of work is: a bar on a terminal, never wider than it; in a pipe or a file one line a minute.
 #pragma once
 #include <chrono>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace percal {
 
-// Counts finished pieces of work, from several threads, and draws "label  12/30  ####....  0:08 left" on standard error.
+// Counts finished pieces of work, from several threads, and says "label  12/30  ####....  0:08 left" on standard error.
 // Where several are alive at once, the first is shown until it is done; the others count silently until then.
 class Progress {
  public:
+  using Clock = std::chrono::steady_clock;
+
   Progress() = default;  // silent
-  Progress(std::string label, long total);
+  // No more time is said to be left than there is until `deadline`.
+  Progress(std::string label, long total, std::optional<Clock::time_point> deadline = {});
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -19,16 +23,21 @@ class Progress {
   void add(long finished = 1);
   void expect(long more);  // the total grows: searches don't know beforehand how many runs they need
 
-  // Whether bars are drawn at all: off until a program turns it on, and then only where standard error is a terminal.
+  // Whether anything is said at all: off until a program turns it on.
   static void enable(bool wanted);
 
  private:
-  void draw();
+  void say(Clock::time_point now);
   std::mutex mutex_;
   std::string label_;
   long total_ = 0, done_ = 0;
   bool visible_ = false;
-  std::chrono::steady_clock::time_point start_, drawn_;
+  std::optional<Clock::time_point> deadline_;
+  Clock::time_point start_, said_;
 };
+
+// "label  12/30  ####....  0:08 left" in so many columns: without the bar where that is too long, and the label cut where it still is.
+// `left`: seconds.
+std::string progress_line(const std::string& label, long done, long total, long left, int columns);
 
 }  // namespace percal

@@ -114,7 +114,7 @@ std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const F
   std::vector<Problem> problems;  // round by round; neighbours begin at different phases
   for (std::size_t r = 0; r < replicates; ++r)
     for (std::size_t w = 0; w < walks.size(); ++w) problems.push_back(walks[w][(r + w) % replicates]);
-  Progress progress("fresh runs at the best points", static_cast<long>(problems.size()));
+  Progress progress("fresh runs at the best points", static_cast<long>(problems.size()), deadline);
   const auto runs = campaign.evaluate_by(deadline, problems, &progress);
 
   const double noise = noise_of(job, emulator);

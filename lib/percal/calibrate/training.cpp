@@ -108,9 +108,10 @@ void Training::add_runs(const std::vector<Problem>& problems,
 }
 
 void Training::run(const std::vector<Problem>& problems) {
-  Progress progress("runs for the emulator", static_cast<long>(problems.size()));
+  const auto deadline = limits_.deadline(share_for_training);
+  Progress progress("runs for the emulator", static_cast<long>(problems.size()), deadline);
   const CampaignCost before = campaign_.cost();
-  count(problems, campaign_.evaluate_by(limits_.deadline(share_for_training), problems, &progress));
+  count(problems, campaign_.evaluate_by(deadline, problems, &progress));
   const CampaignCost after = campaign_.cost();
   report_.runs += static_cast<int>(after.runs - before.runs);
   report_.reused += static_cast<int>(after.reused - before.reused);

@@ -1,0 +1,120 @@
+// Every reader of a user's file, fed by libFuzzer with anything. PERCAL_FUZZ names the reader. A reader may refuse (BadInput, IoFailure); what else
+// it throws, and what a sanitizer finds, is a finding.                                             docs/testing.md
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "pages.hpp"
+#include "percal/base/error.hpp"
+#include "percal/calibrate/job.hpp"
+#include "percal/card/solver.hpp"
+#include "percal/fit/read_curves.hpp"
+#include "percal/identify/job.hpp"
+#include "percal/page/html.hpp"
+#include "percal/page/text.hpp"
+#include "percal/scaling/scale_job.hpp"
+#include "percal/scene/scene_toml.hpp"
+#include "percal/store/store.hpp"
+#include "percal/text/csv.hpp"
+#include "percal/units/quantity.hpp"
+
+namespace percal {
+namespace {
+
+// A folder of its own, with the tables that the jobs of data/ name, in which the input is a file.
+const std::string& folder() {
+  static const std::string place = [] {
+    std::string name = std::filesystem::temp_directory_path() / "percal_fuzz_XXXXXX";
+    if (!mkdtemp(name.data())) std::abort();
+    for (const char* tables : {"guha2009", "synthetic"})
+      for (const auto& entry : std::filesystem::directory_iterator(std::string(PERCAL_DATA "/") + tables))
+        if (entry.path().extension() == ".csv") std::filesystem::copy(entry, name);
+    std::atexit([] { std::filesystem::remove_all(folder()); });
+    return name;
+  }();
+  return place;
+}
+
+std::string as_file(const std::string& input, const std::string& name) {
+  const std::string path = folder() + "/" + name;
+  std::ofstream(path, std::ios::binary) << input;
+  return path;
+}
+
+void read_card_of(const char* solver, const std::string& input) {
+  read_card({.text = input, .file = "card", .solver = solver, .units = "mm-t-s-MPa", .name = ""});
+}
+
+void read_result_and_show(const std::string& input) {
+  const page::ReadResult result = tools::read_result(as_file(input, "result.json"));
+  page::as_text(result.page, {.columns = 80, .colour = false, .detail = page::Detail::more});
+  page::as_html(result.page);
+}
+
+void open_store(const std::string& input) {
+  const std::string path = as_file(input, "percal.store");
+  for (const char* beside : {"-wal", "-shm"}) std::filesystem::remove(path + beside);
+  Store store(path);
+  store.with_prefix("");
+}
+
+void read_quantity(const std::string& input) {
+  try {
+    parse_quantity(input);
+  } catch (const std::invalid_argument&) {
+  }
+}
+
+using Reader = std::function<void(const std::string&)>;
+const std::map<std::string, Reader> readers{
+    {"scene", [](const std::string& input) { read_scene(as_file(input, "scene.toml")); }},
+    {"scale", [](const std::string& input) { read_scale_job(as_file(input, "scale.toml")); }},
+    {"identify", [](const std::string& input) { read_identify_job(as_file(input, "identify.toml")); }},
+    {"calibrate", [](const std::string& input) { read_calibration_job(as_file(input, "calibrate.toml")); }},
+    {"csv", [](const std::string& input) { read_csv(as_file(input, "table.csv")); }},
+    {"curves", [](const std::string& input) { read_curves({as_file(input, "curve.csv")}, {.mode = "uniaxial"}); }},
+    {"quantity", read_quantity},
+    {"lsdyna", [](const std::string& input) { read_card_of("lsdyna", input); }},
+    {"abaqus", [](const std::string& input) { read_card_of("abaqus", input); }},
+    {"calculix", [](const std::string& input) { read_card_of("calculix", input); }},
+    {"openradioss", [](const std::string& input) { read_card_of("openradioss", input); }},
+    {"febio", [](const std::string& input) { read_card_of("febio", input); }},
+    {"ansys", [](const std::string& input) { read_card_of("ansys", input); }},
+    {"result", read_result_and_show},
+    {"store", open_store},
+};
+
+const Reader& chosen() {
+  const char* name = std::getenv("PERCAL_FUZZ");
+  const auto found = readers.find(name ? name : "");
+  if (found != readers.end()) return found->second;
+  std::fprintf(stderr, "PERCAL_FUZZ names the reader:");
+  for (const auto& [word, reader] : readers) std::fprintf(stderr, " %s", word.c_str());
+  std::fprintf(stderr, "\n");
+  std::exit(2);
+}
+
+}  // namespace
+}  // namespace percal
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  percal::chosen();
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  static const percal::Reader reader = percal::chosen();
+  try {
+    reader(std::string(reinterpret_cast<const char*>(data), size));
+  } catch (const percal::BadInput&) {
+  } catch (const percal::IoFailure&) {
+  }
+  return 0;
+}

@@ -1,0 +1,45 @@
+"""Seeds for fuzz_readers: files of data/ and what the program writes.    seeds.py SOURCE PROGRAM FOLDER"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+source, program, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+JOBS = {"scene": ["gold.toml", "steel.toml", "rhombus.toml", "skin_layers.toml", "gold_length.toml"], "scale": ["similar.toml"], "identify": ["skin.toml"],
+        "calibrate": ["skin_consistent.toml", "gelatin_length.toml"]}
+QUANTITIES = ["1 kPa", "2.3e-3 kg/m3", "5 um", "1/s", "3 m/s", "10 %", "7"]
+SOLVERS = ["lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"]
+
+
+def seed(reader, name, content):
+    place = folder / reader
+    place.mkdir(parents=True, exist_ok=True)
+    (place / name).write_bytes(content)
+
+
+def run(*words):
+    subprocess.run([program, *map(str, words)], check=True, capture_output=True, cwd=work)
+
+
+for reader, names in JOBS.items():
+    for name in names:
+        seed(reader, name, (source / "data/guha2009" / name).read_bytes())
+seed("calibrate", "joint.toml", (source / "data/synthetic/joint.toml").read_bytes())
+for table in [*source.glob("data/*/*.csv")]:
+    for reader in ("csv", "curves"):
+        seed(reader, table.name, table.read_bytes()[:4000])
+for k, quantity in enumerate(QUANTITIES):
+    seed("quantity", str(k), quantity.encode())
+with tempfile.TemporaryDirectory() as name:
+    work = pathlib.Path(name)
+    run("fit", source / "data/synthetic/gelatin_12wt_quasistatic.csv", "--out", "fit")
+    run("scale", source / "data/guha2009/similar.toml", "--out", "scale")
+    for result in ("fit", "scale"):
+        seed("result", result + ".json", (work / result / "result.json").read_bytes())
+    for solver in SOLVERS:
+        run("card", "write", "fit/result.json", "--solver", solver, "--density", "1000 kg/m3", "--nu", "0.495", "--units", "mm-t-s-MPa", "--file", "card")
+        seed(solver, "card", (work / "card").read_bytes())
+    shutil.copy(source / "tests/data/layer.toml", work)
+    run("impact", "layer.toml", "--elements-per-radius", "3", "--replicates", "1", "--store", "made.store", "--out", "none")
+    seed("store", "one", (work / "made.store").read_bytes())

@@ -1,0 +1,56 @@
+"""Faults that the tests have to catch, each a text of the sources and what stands in its place. tests: the test programs that are built and run.
+
+A text occurs once in its file; plant.py --check holds that, so that the list does not outlive the code."""
+from typing import NamedTuple
+
+
+class Fault(NamedTuple):
+    name: str
+    file: str
+    text: str
+    instead: str
+    tests: tuple
+
+
+FAULTS = [
+    Fault("MU1 is taken for mu alpha, not mu alpha/2", "lib/percal/material/conventions.cpp",
+          "? mu_as_given * alpha / 2 : mu_as_given", "? mu_as_given * alpha : mu_as_given", ("material", "card", "scene")),
+    Fault("J^(-1/3) is missing in the isochoric stretch of the hoop", "lib/percal/impact/kernel/element.hpp",
+          "const V hoop = F.hoop * F.hoop * s.inverse_jacobian * F.hoop;", "const V hoop = F.hoop * F.hoop * F.hoop;", ("impact",)),
+    Fault("the hourglass force has the wrong sign", "lib/percal/impact/kernel/internal_forces.hpp",
+          "(ra - rb) + (rc - rd), (za - zb) + (zc - zd)", "(rb - ra) + (rd - rc), (zb - za) + (zd - zc)", ("impact",)),
+    Fault("contact pulls where it should push", "lib/percal/impact/particle/touch.cpp",
+          "dot(q) > 0;", "dot(q) < 0;", ("impact",)),
+    Fault("a node at the surface takes twice the impulse", "lib/percal/impact/particle/touch.cpp",
+          "std::max(0.0, stiffness_of(touch) * (touch.rate + J.dot(q)))", "std::max(0.0, 2 * stiffness_of(touch) * (touch.rate + J.dot(q)))", ("impact",)),
+    Fault("the ledger leaves out what contact takes", "lib/percal/impact/particle/touch.cpp",
+          "lost -= touch.impulse", "lost -= 0 * touch.impulse", ("impact",)),
+    Fault("kPa are MPa", "lib/percal/units/quantity.cpp",
+          'Unit{"kPa", {dimension::pressure, 1, 3}}', 'Unit{"kPa", {dimension::pressure, 1, 6}}', ("units", "scene")),
+    Fault("a similar system's quantity has the inverse power", "lib/percal/scaling/groups.cpp",
+          "std::pow(wanted, 1.0 / std::abs(own))", "std::pow(wanted, std::abs(own))", ("scaling",)),
+    Fault("95 % intervals are 90 % ones", "lib/percal/estimate/profile.cpp",
+          "student_quantile((1 + level) / 2, freedom)", "student_quantile(level, freedom)", ("estimate",)),
+    Fault("Green's strain lacks its half", "lib/percal/material/conventions.cpp",
+          "return (stretch * stretch - 1) / 2;", "return stretch * stretch - 1;", ("material", "fit", "card")),
+    Fault("second Piola stress is taken for nominal", "lib/percal/fit/curve_measures.cpp",
+          "? strained.amount * stress : stress", "? stress : stress", ("fit",)),
+    Fault("replicates do not walk the phase of the mesh", "lib/percal/problem/replicates.cpp",
+          "from_middle * walk_span(elements_per_radius) / count", "0 * from_middle * walk_span(elements_per_radius) / count", ("problem",)),
+    Fault("graded columns grow by another factor than they say", "lib/percal/mesh/graded.cpp",
+          "at += width *= mesh.growth", "at += width *= 1.05 * mesh.growth", ("mesh",)),
+    Fault("heavy fast shots get the wall of light ones", "lib/percal/scene/width.cpp",
+          "density_ratio > heavy_above ? farthest_wall : far_wall", "density_ratio > heavy_above ? far_wall : far_wall", ("scene",)),
+    Fault("the stable step forgets the hoop", "lib/percal/impact/kernel/element.hpp",
+          "const V w3 = per_hoop2 * s.inverse_hoop * s.inverse_hoop;", "const V w3 = Real(0) * per_hoop2 * s.inverse_hoop * s.inverse_hoop;", ("impact",)),
+    Fault("Dehn's depth has the wrong slope along the strength", "lib/percal/invert/dehn.cpp",
+          "const double strength = -q / ((1 + q) * logarithm);", "const double strength = q / ((1 + q) * logarithm);", ("invert", "calibrate")),
+    Fault("K is chosen for another Mach number", "lib/percal/problem/reduce.cpp",
+          "1.01 * pi4 / (recommended_mach * recommended_mach)", "1.01 * pi4 / recommended_mach", ("problem", "scene")),
+    Fault("erosion is averaged with weights that do not fall", "lib/percal/impact/target/averaged_erosion.cpp",
+          "return inside * inside;", "return inside > 0 ? 1.0 : 0.0;", ("impact",)),
+    Fault("cards write mu where the program wants 2 mu/alpha", "lib/percal/card/card_material.cpp",
+          "case CardModulus::two_mu_over_alpha: return 2 * term.mu / term.alpha;", "case CardModulus::two_mu_over_alpha: return term.mu;", ("card",)),
+    Fault("the implied rate factor works the wrong way", "lib/percal/calibrate/verdict.cpp",
+          "rate.implied.value = rate.given * std::exp(joined.at[factor]);", "rate.implied.value = rate.given * std::exp(-joined.at[factor]);", ("calibrate",)),
+]
