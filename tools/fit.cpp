@@ -66,7 +66,8 @@ void read_files(const FitArguments& arguments, FitRequest& request) {
     const auto [known, fresh] = request.columns.mode_of.try_emplace(file, mode);
     if (!fresh && known->second != mode)
       throw BadInput({"", 0, "--mode"}, known->second + " and " + mode + " for " + file, "one deformation for a file");
-    if (std::find(request.files.begin(), request.files.end(), file) == request.files.end()) request.files.push_back(file);
+    if (std::find(request.files.begin(), request.files.end(), file) == request.files.end())
+      request.files.push_back(file);
   };
   for (const std::string& text : arguments.files) {
     if (const auto both = mode_and_file(text))
@@ -80,7 +81,8 @@ void read_files(const FitArguments& arguments, FitRequest& request) {
     } else if (request.columns.mode.empty()) {
       request.columns.mode = text;
     } else {
-      throw BadInput({"", 0, "--mode"}, "both " + in_quotes(request.columns.mode) + " and " + in_quotes(text) + " for all files",
+      throw BadInput({"", 0, "--mode"},
+                     "both " + in_quotes(request.columns.mode) + " and " + in_quotes(text) + " for all files",
                      "one WORD, and WORD=FILE for single files");
     }
   }
@@ -88,13 +90,11 @@ void read_files(const FitArguments& arguments, FitRequest& request) {
 }
 
 FitRequest request_of(const FitArguments& arguments) {
-  FitRequest request{.files = {},
-                     .columns = {.x = arguments.x,
-                                 .y = arguments.y,
-                                 .error = arguments.error,
-                                 .where = arguments.where},
-                     .stretches = stretches_of(arguments.stable),
-                     .compare = arguments.compare};
+  FitRequest request{
+      .files = {},
+      .columns = {.x = arguments.x, .y = arguments.y, .error = arguments.error, .where = arguments.where},
+      .stretches = stretches_of(arguments.stable),
+      .compare = arguments.compare};
   read_files(arguments, request);
   CurveOptions& options = request.options;
   options.model = *model_of(arguments.model);

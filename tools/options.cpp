@@ -130,9 +130,11 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   auto* command =
       app.add_subcommand("fit", "stress-stretch CSV files -> moduli and exponents, every minimum, models compared");
   command->add_option("files", fit.files, "CSV files; uniaxial=FILE, planar=FILE, ... say the deformation of each");
-  command->add_option("--mode", fit.mode,
-                      "deformation where the file has no mode column, or one of other words: uniaxial, equibiaxial, planar, shear, "
-                      "...; WORD=FILE of one file (may be given several times)")
+  command
+      ->add_option(
+          "--mode", fit.mode,
+          "deformation where the file has no mode column, or one of other words: uniaxial, equibiaxial, planar, shear, "
+          "...; WORD=FILE of one file (may be given several times)")
       ->allow_extra_args(false);
   command->add_option("--model", fit.model, "ogden (one term), ogden2, ogden3, neo-hooke or mooney-rivlin")
       ->check(CLI::IsMember({"ogden", "ogden2", "ogden3", "neo-hooke", "mooney-rivlin"}));
@@ -151,8 +153,10 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   command->add_option("--x", fit.x, "column of stretch, strain or shear");
   command->add_option("--y", fit.y, "column of stress");
   command->add_option("--error", fit.error, "column of the stress's standard error");
-  command->add_option("--where", fit.where,
-                      "keep the rows with COLUMN=VALUE, or with !=, <, <=, >, >= such as \"stretch<3\" (may be given several times)")
+  command
+      ->add_option("--where", fit.where,
+                   "keep the rows with COLUMN=VALUE, or with !=, <, <=, >, >= such as \"stretch<3\" (may be given "
+                   "several times)")
       ->allow_extra_args(false);
   command->add_flag("--intervals,!--no-intervals", fit.intervals,
                     "profile-likelihood intervals of every parameter (default: yes)");

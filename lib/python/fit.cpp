@@ -172,8 +172,8 @@ void bind_fit(py::module_& core) {
     return fit(request, data);
   });
   core.def("fit_csv", [](const std::vector<std::string>& files, const std::string& mode,
-                         const std::map<std::string, std::string>& mode_of, const std::string& x, const std::string& y, const std::string& error, const std::vector<std::string>& where,
-                         const py::dict& options) {
+                         const std::map<std::string, std::string>& mode_of, const std::string& x, const std::string& y,
+                         const std::string& error, const std::vector<std::string>& where, const py::dict& options) {
     FitRequest request = request_of(options);
     request.files = files;
     request.columns = {.mode = mode, .mode_of = mode_of, .x = x, .y = y, .error = error, .where = where};

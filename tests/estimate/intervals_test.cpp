@@ -71,7 +71,8 @@ TEST(RegionIntervals, HoldAPieceAboutEveryMinimumThatFitsAboutAsWell) {
   EXPECT_NEAR(piece.high, around.interval.high, 1e-9);
   EXPECT_EQ(found.interval.low, found.region[0].low);
   EXPECT_EQ(found.interval.high, found.region[1].high);
-  EXPECT_THAT(findings(problem, minima, {found}), Contains(HasSubstr("The data do not choose between 2 minima: x is -1.0")));
+  EXPECT_THAT(findings(problem, minima, {found}),
+              Contains(HasSubstr("The data do not choose between 2 minima: x is -1.0")));
 }
 
 TEST(RegionIntervals, LeaveOutAMinimumThatTheDataRuleOut) {

@@ -122,8 +122,11 @@ TEST(SlowCoverage, TwoBasins) {
     best.alpha += one * holds(parameters[1].interval, solid.alpha);
     several += result.minima.size() > 1;
   }
-  for (const auto& [name, share] : {std::pair{"region_mu", region.mu}, {"region_alpha", region.alpha}, {"best_mu", best.mu},
-                                    {"best_alpha", best.alpha}, {"several", several / 300.0}})
+  for (const auto& [name, share] : {std::pair{"region_mu", region.mu},
+                                    {"region_alpha", region.alpha},
+                                    {"best_mu", best.mu},
+                                    {"best_alpha", best.alpha},
+                                    {"several", several / 300.0}})
     testing::Test::RecordProperty(name, std::to_string(share));
   EXPECT_GT(several, curves / 2);
   EXPECT_LT(best.alpha, 0.85);

@@ -42,8 +42,8 @@ class CurveLayouts : public test::Program {
 TEST_F(CurveLayouts, EachFileMayHaveItsDeformation) {
   const std::string ut = file_of("UT"), et = file_of("ET"), ps = file_of("PS");
   const std::vector<std::string> in_front{"uniaxial=" + ut, "equibiaxial=" + et, "planar=" + ps};
-  for (const auto& arguments : {in_front, std::vector<std::string>{ut, et, ps, "--mode", "uniaxial", "--mode", "equibiaxial=" + et,
-                                                                   "--mode", "planar=" + ps}}) {
+  for (const auto& arguments : {in_front, std::vector<std::string>{ut, et, ps, "--mode", "uniaxial", "--mode",
+                                                                   "equibiaxial=" + et, "--mode", "planar=" + ps}}) {
     const json result = fitted(arguments);
     const json& best = result["minima"][0];
     EXPECT_NEAR(best["mu_Pa"].get<double>(), 361456, 1);
@@ -52,18 +52,21 @@ TEST_F(CurveLayouts, EachFileMayHaveItsDeformation) {
     EXPECT_EQ(result["points_of_mode"], json({{"uniaxial", 24}, {"equibiaxial", 16}, {"planar", 13}}));
   }
   EXPECT_THAT(fit({"uniaxial=" + ut, "--mode", "planar=" + ut}).err, HasSubstr("uniaxial and planar for"));
-  EXPECT_THAT(fit({ut, "--mode", "uniaxial", "--mode", "planar"}).err, HasSubstr("\"uniaxial\" and \"planar\" for all files"));
+  EXPECT_THAT(fit({ut, "--mode", "uniaxial", "--mode", "planar"}).err,
+              HasSubstr("\"uniaxial\" and \"planar\" for all files"));
   EXPECT_EQ(fit({"--mode", "uniaxial"}).code, 2);
   EXPECT_THAT(fit({"planar=" + treloar_csv_file}).err, HasSubstr("mode column says uniaxial"));
 }
 
 TEST_F(CurveLayouts, ModeStandsWhereTheColumnsWordsAreForeign) {
-  const std::string foreign = write(
-      "uc.csv", "mode,stretch,stress_kPa\nUC,0.95,-7.724394\nUC,0.90,-16.068553\nUC,0.85,-25.355200\nUC,0.80,-36.028125\n");
+  const std::string foreign =
+      write("uc.csv",
+            "mode,stretch,stress_kPa\nUC,0.95,-7.724394\nUC,0.90,-16.068553\nUC,0.85,-25.355200\nUC,0.80,-36.028125\n");
   const json result = fitted({foreign, "--mode", "compression"});
   EXPECT_NEAR(result["minima"][0]["mu_Pa"].get<double>(), 50e3, 1);
   EXPECT_NEAR(result["minima"][0]["alpha"].get<double>(), 4, 1e-4);
-  EXPECT_THAT(result["warnings"].at(0).get<std::string>(), AllOf(HasSubstr("\"UC\""), HasSubstr("compression is taken")));
+  EXPECT_THAT(result["warnings"].at(0).get<std::string>(),
+              AllOf(HasSubstr("\"UC\""), HasSubstr("compression is taken")));
   const Ended without = fit({foreign});
   EXPECT_EQ(without.code, 2);
   EXPECT_THAT(without.err, AllOf(HasSubstr("found \"UC\""), HasSubstr("also lines 3-5"), HasSubstr("--mode")));
@@ -104,7 +107,8 @@ TEST_F(SlowCurveLayouts, ARawLogOf300000RowsIsFittedInSecondsAndIn200Megabytes) 
   }
   const std::string file = write("rows.csv", text);
   for (const char* model : {"ogden3", "ogden"}) {
-    const Ended run = fit({file, "--mode", "uniaxial", "--residual", "absolute", "--model", model, "--json", "--out", "none"});
+    const Ended run =
+        fit({file, "--mode", "uniaxial", "--residual", "absolute", "--model", model, "--json", "--out", "none"});
     ASSERT_EQ(run.code, 0) << run.err;
     const json result = json::parse(run.out);
     ASSERT_EQ(result["minima"][0]["terms"].size(), 1u);

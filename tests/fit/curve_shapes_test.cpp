@@ -71,8 +71,9 @@ TEST(CurveShapes, APeakWithAFallingBranchIsNamedWithTheRowsToKeep) {
   std::vector<Row> rows;
   ramp(rows, 0, 0.5, 20);
   for (int i = 1; i <= 5; ++i) rows.push_back({0.5 + 0.02 * i, 1 - 0.15 * i});
-  EXPECT_THAT(warnings(rows), ElementsAre(AllOf(HasSubstr("the stress peaks at strain 0.500000"), HasSubstr("falling branch"),
-                                                HasSubstr("--where \"strain<=0.500000\""))));
+  EXPECT_THAT(warnings(rows),
+              ElementsAre(AllOf(HasSubstr("the stress peaks at strain 0.500000"), HasSubstr("falling branch"),
+                                HasSubstr("--where \"strain<=0.500000\""))));
 }
 
 TEST(CurveShapes, AnOffsetIsStressAtStretchOne) {
@@ -85,8 +86,8 @@ TEST(CurveShapes, AnOffsetIsStressAtStretchOne) {
 TEST(CurveShapes, AToeIsSaidWithItsPoints) {
   std::vector<Row> rows{{0, 0, 0}, {0.02, 0.01}, {0.04, 0.01}, {0.06, 0.01}};
   for (int i = 4; i <= 50; ++i) rows.push_back({0.02 * i});
-  EXPECT_THAT(warnings(rows),
-              ElementsAre(AllOf(HasSubstr("a toe: the first points, to strain 0.060000"), HasSubstr("--residual absolute"))));
+  EXPECT_THAT(warnings(rows), ElementsAre(AllOf(HasSubstr("a toe: the first points, to strain 0.060000"),
+                                                HasSubstr("--residual absolute"))));
 }
 
 TEST(CurveShapes, TheNoiseOfARawLogIsNoToe) {
@@ -96,7 +97,8 @@ TEST(CurveShapes, TheNoiseOfARawLogIsNoToe) {
 }
 
 TEST(CurveShapes, AColumnOfTextWithSeveralValuesIsNamed) {
-  const std::string head = "material,strain,stress_kPa\n", soft = "soft,0.1,14\nsoft,0.2,29\n", hard = "hard,0.1,30\nhard,0.2,60\n";
+  const std::string head = "material,strain,stress_kPa\n", soft = "soft,0.1,14\nsoft,0.2,29\n",
+                    hard = "hard,0.1,30\nhard,0.2,60\n";
   const auto read = [](const std::string& text, const CurveColumns& columns) {
     return curves_of(parse_csv(text, "c.csv"), columns).sources.at(0).warnings;
   };

@@ -230,7 +230,9 @@ TEST(FitCurves, ANegativeSumOfModuliIsTheReasonWhereItIs) {
   EXPECT_TRUE(fit.minima.empty());
   EXPECT_THAT(findings(fit).at(0), HasSubstr("C10 + C01 = 409 kPa - 751.2 kPa"));
   EXPECT_NEAR(fit_curves(treloar_tension(), {.model = Model::mooney_rivlin, .residual = Residual::absolute})
-                  .minima.at(0).solid.terms.at(0).mu,
+                  .minima.at(0)
+                  .solid.terms.at(0)
+                  .mu,
               570.8e3, 100);
 }
 

@@ -33,9 +33,9 @@ TEST(Rulers, FewPointsOfSmallStressThatRuleRelativeResidualsAreNamed) {
   const CurveData data = with_slack(1.061);
   const auto fit = fit_curves(data, {});
   ASSERT_LT(fit.minima.at(0).r2.value(), 0.1);  // 0.3 kPa where 50 are true
-  EXPECT_THAT(rulers(data, fit),
-              ElementsAre(AllOf(HasSubstr("the fit misses the curve"), HasSubstr("of 50 points rule it, at stretches 1.0"),
-                                HasSubstr("--residual absolute gives mu 4"), HasSubstr("--where"))));
+  EXPECT_THAT(rulers(data, fit), ElementsAre(AllOf(HasSubstr("the fit misses the curve"),
+                                                   HasSubstr("of 50 points rule it, at stretches 1.0"),
+                                                   HasSubstr("--residual absolute gives mu 4"), HasSubstr("--where"))));
   EXPECT_THAT(rulers(data, fit_curves(data, {.residual = Residual::absolute})), IsEmpty());
 }
 

@@ -19,7 +19,8 @@ constexpr Ogden true_solid{.mu = 50e3, .alpha = 4};
 
 CurveData raw_log(int rows, unsigned seed = 1) {
   test::NormalNumbers normal(seed);
-  auto data = test::noisy_curve(true_solid, test::states({.points = rows, .low = 1, .high = 2}), {.absolute = 300}, normal);
+  auto data =
+      test::noisy_curve(true_solid, test::states({.points = rows, .low = 1, .high = 2}), {.absolute = 300}, normal);
   data.sources = {{.file = "log.csv", .x = "stretch", .y = "stress"}};
   return data;
 }
@@ -57,6 +58,24 @@ TEST(ThinCurves, TheFitAndItsIntervalsAreThoseOfTheRows) {
   EXPECT_NEAR(width(thinned, few) / width(raw, all), 1, 0.1);
 }
 
+// A model that does not fit shows what weighs: most rows are below 1.2 here, in a fifth of the bins.
+TEST(ThinCurves, APointCountsAsManyRowsAsItStandsFor) {
+  CurveData raw;
+  raw.sources = {{.file = "log.csv", .x = "stretch", .y = "stress"}};
+  for (int i = 0; i < 6000; ++i) {
+    const Strained strained{Deformation::uniaxial, i < 5000 ? 1 + 0.2 * i / 5000 : 1.2 + 0.8 * (i - 5000) / 1000};
+    raw.points.push_back({strained, nominal_stress(Hyperelastic{{{40e3, 2}, {5e3, 9}}}, strained)});
+  }
+  CurveData thinned = raw;
+  thin(thinned);
+  const auto fitted = [](const CurveData& data) {
+    return fit_curves(data, {.residual = Residual::absolute}).minima.at(0).solid.terms[0];
+  };
+  EXPECT_LT(thinned.points.size(), 1100u);
+  EXPECT_NEAR(fitted(thinned).mu / fitted(raw).mu, 1, 1e-4);
+  EXPECT_NEAR(fitted(thinned).alpha, fitted(raw).alpha, 1e-3);
+}
+
 TEST(ThinCurves, CurvesWithTwoStretchesAreThinnedInBoth) {
   CurveData data;
   data.sources = {{.file = "two.csv", .x = "x", .y = "y"}};
@@ -68,7 +87,8 @@ TEST(ThinCurves, CurvesWithTwoStretchesAreThinnedInBoth) {
   thin(data);
   EXPECT_LE(data.points.size(), 3600u);
   for (const auto& point : data.points)
-    EXPECT_NEAR(point.nominal_stress, nominal_stress(true_solid, point.strained), 0.01 * std::abs(point.nominal_stress) + 300);
+    EXPECT_NEAR(point.nominal_stress, nominal_stress(true_solid, point.strained),
+                0.01 * std::abs(point.nominal_stress) + 300);
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ void meets_the_table(Shell shell, double alpha, double pressure, const ShellMesh
     if (table.cell(row, 0) != (is_sphere(shell) ? "sphere" : "cylinder") || table.cell(row, 2) != "2.0") continue;
     if (std::stod(table.cell(row, 1)) != alpha || std::stod(table.cell(row, 3)) != pressure) continue;
     met = true;
-    const double middle = std::stod(table.cell(row, 4)), top = std::stod(table.cell(row, 5)), period = std::stod(table.cell(row, 6));
+    const double middle = std::stod(table.cell(row, 4)), top = std::stod(table.cell(row, 5)),
+                 period = std::stod(table.cell(row, 6));
     double before = 10;
     for (const double bulk : {50.0, 200.0, 1000.0}) {
       const Swing found = swing(shell, mesh, {.mu = 1, .bulk = bulk, .alpha = alpha}, pressure, middle, 1.4 * period);

@@ -56,10 +56,9 @@ void add_pieces(const CalibrationProblem& problem, const std::vector<ProfileInte
   for (const ProfileInterval& one : intervals) {
     if (one.region.size() < 2) continue;
     const FreeParameter& free = problem.parameters[one.parameter];
-    sentences.push_back(
-        fmt::format("The data do not choose between {} minima: {} is {} ({:g} % interval).", one.region.size(),
-                    free.name, words_of(one.region, [&](double value) { return quantity(free, value); }),
-                    100 * one.level));
+    sentences.push_back(fmt::format(
+        "The data do not choose between {} minima: {} is {} ({:g} % interval).", one.region.size(), free.name,
+        words_of(one.region, [&](double value) { return quantity(free, value); }), 100 * one.level));
   }
 }
 

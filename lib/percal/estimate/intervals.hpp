@@ -35,7 +35,7 @@ std::string words_of(const Region& region, const std::function<std::string(doubl
 
 struct ProfileInterval {
   int parameter = 0;
-  Interval interval;  // the hull of the region
+  Interval interval;                  // the hull of the region
   std::vector<ProfilePoint> profile;  // from low to high
   // False where both ends are its own bounds, or wider than a factor of `hopeless_factor` on a logarithmic scale.
   bool identifiable = true;

@@ -22,12 +22,13 @@ std::optional<CardIntervals> intervals_of(const Uncertainty& uncertainty) {
   if (uncertainty.minima.empty()) return std::nullopt;
   const MinimumUncertainty& best = uncertainty.minima.front();
   CardIntervals intervals{uncertainty.options.level, {}};
-  if (best.small_strain_modulus) intervals.of.push_back(card_interval("mu_true_Pa", allowed(uncertainty, "small_strain_mu", *best.small_strain_modulus)));
+  if (best.small_strain_modulus)
+    intervals.of.push_back(
+        card_interval("mu_true_Pa", allowed(uncertainty, "small_strain_mu", *best.small_strain_modulus)));
   for (const ParameterUncertainty& parameter : best.parameters) {
     const bool modulus = parameter.name.starts_with("mu");
-    intervals.of.push_back(
-        card_interval(modulus ? "mu_true_Pa" + parameter.name.substr(2) : parameter.name,
-                      allowed(uncertainty, parameter.name, parameter.interval)));
+    intervals.of.push_back(card_interval(modulus ? "mu_true_Pa" + parameter.name.substr(2) : parameter.name,
+                                         allowed(uncertainty, parameter.name, parameter.interval)));
   }
   return intervals;
 }

@@ -77,11 +77,12 @@ std::string not_ranked(const CurveFit& fit) {
   const CurveMinimum& best = fit.minima[0];
   const double sum = small_strain_modulus(best.solid);
   for (const auto& [mu, alpha] : best.solid.terms) {
-    const bool is_nothing = std::abs(mu) < nothing * sum, bound = std::abs(alpha) > largest_alpha * (1 - 1e-9);
+    const bool is_nothing = std::abs(mu)<nothing * sum, bound = std::abs(alpha)> largest_alpha * (1 - 1e-9);
     if (is_nothing || bound)
       return fmt::format("its term at alpha = {:.4g}{}{}", alpha, bound ? ", the bound of the search," : "",
-                         is_nothing ? " has a modulus of " + page::quantity(mu, dimension::pressure) + ", which is nothing"
-                                    : " is at no minimum");
+                         is_nothing
+                             ? " has a modulus of " + page::quantity(mu, dimension::pressure) + ", which is nothing"
+                             : " is at no minimum");
   }
   return "";
 }

@@ -55,15 +55,17 @@ int single(const CsvTable& table, bool (*wanted)(const std::string&), const char
   if (!found.empty()) return found[0];
   const std::string names = lower_case(headers(table));
   const bool depths = contains_any(names, {"depth", "penetration"});
-  const bool machine = contains_any(names, {"force", "load", "displacement", "extension", "elongation", "deflection", "travel"});
+  const bool machine =
+      contains_any(names, {"force", "load", "displacement", "extension", "elongation", "deflection", "travel"});
   throw BadInput(
       place,
       fmt::format("no stress-stretch curve{}: no column of {} among {}",
                   depths ? " but depths of shots, which are no input of a curve fit" : "", meaning, headers(table)),
       fmt::format("a column of {}, or the column's name with {}{}", meaning, option,
-                  machine ? "; of force and displacement make stretch = 1 + displacement/(length between the grips) and "
-                            "nominal stress = force/(cross-section before the test)"
-                          : ""));
+                  machine
+                      ? "; of force and displacement make stretch = 1 + displacement/(length between the grips) and "
+                        "nominal stress = force/(cross-section before the test)"
+                      : ""));
 }
 
 bool is_pressure(const CsvColumn& column) {

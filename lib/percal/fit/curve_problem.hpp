@@ -44,8 +44,9 @@ bool is_meant(const std::string& name, const CurveTest& test);
 struct WeightedPoint {
   PrincipalPair pair;
   double stress;  // in a scale that makes it about 1
-  double weight;  // 1 over what the residual is relative to, in the same scale, times the root of the test's weight and of its rows
-  int test = 0;   // index of its CurveTest
+  double
+      weight;  // 1 over what the residual is relative to, in the same scale, times the root of the test's weight and of its rows
+  int test = 0;  // index of its CurveTest
 };
 
 struct CurveProblem {

@@ -15,18 +15,18 @@
 namespace percal {
 namespace {
 
-constexpr double turning = 0.05;      // of the largest strain: a smaller way back is noise
-constexpr double jump = 0.5;          // of it, in one row: a new curve begins
-constexpr double standing = 1e-3;     // of it: the stretch is held
-constexpr double relaxed = 0.05;      // of the largest stress, lost while the stretch is held
-constexpr double fallen = 0.9;        // of the largest stress, at the end
-constexpr double offset_share = 0.02; // of the largest stress, at stretch 1
-constexpr double toe_end = 0.25;      // of the largest strain
-constexpr double toe_kink = 10;       // times as steep behind the toe as in it
-constexpr double toe_slope = 0.3;     // of the whole curve's, at least, behind it
-constexpr double toe_noise = 4;       // standard deviations of one stress that the toe lacks, at least
-constexpr std::size_t fewest = 8;     // points to tell a shape from
-constexpr std::size_t coarse = 64;    // means that a toe is looked for in, of a log with more than twice as many points
+constexpr double turning = 0.05;       // of the largest strain: a smaller way back is noise
+constexpr double jump = 0.5;           // of it, in one row: a new curve begins
+constexpr double standing = 1e-3;      // of it: the stretch is held
+constexpr double relaxed = 0.05;       // of the largest stress, lost while the stretch is held
+constexpr double fallen = 0.9;         // of the largest stress, at the end
+constexpr double offset_share = 0.02;  // of the largest stress, at stretch 1
+constexpr double toe_end = 0.25;       // of the largest strain
+constexpr double toe_kink = 10;        // times as steep behind the toe as in it
+constexpr double toe_slope = 0.3;      // of the whole curve's, at least, behind it
+constexpr double toe_noise = 4;        // standard deviations of one stress that the toe lacks, at least
+constexpr std::size_t fewest = 8;      // points to tell a shape from
+constexpr std::size_t coarse = 64;  // means that a toe is looked for in, of a log with more than twice as many points
 
 // A point as it is met along a test: how far from rest, and the stress in that direction.
 struct Met {
@@ -92,7 +92,8 @@ Branches branches_of(const Followed& test) {
 std::string of_test(const CsvTable& table, const Followed& test) { return table.file + ": " + test.name + ": "; }
 
 // "--where "strain<0.4"", for the rows up to a point.
-std::string up_to(const CsvTable& table, const FoundColumns& found, const Met& last, const Met& beyond, bool keep_before) {
+std::string up_to(const CsvTable& table, const FoundColumns& found, const Met& last, const Met& beyond,
+                  bool keep_before) {
   const std::string here = table.cell(table.rows[last.row], found.x);
   const auto a = parse_number(here, table.dialect.decimal_comma),
              b = parse_number(table.cell(table.rows[beyond.row], found.x), table.dialect.decimal_comma);
@@ -106,21 +107,25 @@ std::string stretch_of(const CsvTable& table, const FoundColumns& found, const M
   return x.name + " " + table.cell(table.rows[point.row], found.x) + (x.unit.empty() ? "" : " " + x.unit);
 }
 
-void runs_back(const CsvTable& table, const Followed& test, const Branches& found, std::vector<std::string>& sentences) {
+void runs_back(const CsvTable& table, const Followed& test, const Branches& found,
+               std::vector<std::string>& sentences) {
   const int all = found.loading + found.unloading;
   if (all < 2 || static_cast<std::size_t>(all) * 4 > test.points.size()) return;  // in no order at all
   if (found.unloading > 0)
-    sentences.push_back(of_test(table, test) +
-                        fmt::format("the stretch runs back: {} branches, {} of loading and {} of unloading, are taken as one "
-                                    "curve; an elastic solid has one: keep one branch with --where.",
-                                    all, found.loading, found.unloading));
+    sentences.push_back(
+        of_test(table, test) +
+        fmt::format("the stretch runs back: {} branches, {} of loading and {} of unloading, are taken as one "
+                    "curve; an elastic solid has one: keep one branch with --where.",
+                    all, found.loading, found.unloading));
   else
-    sentences.push_back(of_test(table, test) + fmt::format("the stretch starts anew {} time{}: {} curves in one file are taken as "
-                                                           "one solid's; --where keeps one.",
-                                                           found.restarts, found.restarts == 1 ? "" : "s", all));
+    sentences.push_back(of_test(table, test) +
+                        fmt::format("the stretch starts anew {} time{}: {} curves in one file are taken as "
+                                    "one solid's; --where keeps one.",
+                                    found.restarts, found.restarts == 1 ? "" : "s", all));
 }
 
-void holds(const CsvTable& table, const FoundColumns& found, const Followed& test, std::vector<std::string>& sentences) {
+void holds(const CsvTable& table, const FoundColumns& found, const Followed& test,
+           std::vector<std::string>& sentences) {
   int count = 0;
   std::size_t first = 0, last = 0;
   for (std::size_t i = 0; i < test.points.size();) {
@@ -135,13 +140,14 @@ void holds(const CsvTable& table, const FoundColumns& found, const Followed& tes
     i = end + 1;
   }
   if (count == 0) return;
-  sentences.push_back(of_test(table, test) +
-                      fmt::format("{} hold{}: the stress falls from {} to {} at the constant {} (lines {} to {}): relaxation, "
-                                  "which no elastic solid has; leave such rows out.",
-                                  count, count == 1 ? "" : "s", page::quantity(test.points[first].stress, dimension::pressure),
-                                  page::quantity(test.points[last].stress, dimension::pressure),
-                                  stretch_of(table, found, test.points[first]), table.rows[test.points[first].row].line,
-                                  table.rows[test.points[last].row].line));
+  sentences.push_back(
+      of_test(table, test) +
+      fmt::format("{} hold{}: the stress falls from {} to {} at the constant {} (lines {} to {}): relaxation, "
+                  "which no elastic solid has; leave such rows out.",
+                  count, count == 1 ? "" : "s", page::quantity(test.points[first].stress, dimension::pressure),
+                  page::quantity(test.points[last].stress, dimension::pressure),
+                  stretch_of(table, found, test.points[first]), table.rows[test.points[first].row].line,
+                  table.rows[test.points[last].row].line));
 }
 
 double mean_stress(const Followed& test, std::size_t from, std::size_t to) {
@@ -152,28 +158,31 @@ double mean_stress(const Followed& test, std::size_t from, std::size_t to) {
 
 void peak(const CsvTable& table, const FoundColumns& found, const Followed& test, std::vector<std::string>& sentences) {
   const std::size_t n = test.points.size(), few = std::max<std::size_t>(1, n / 50);
-  const auto top = static_cast<std::size_t>(
-      std::max_element(test.points.begin(), test.points.end(), [](const Met& a, const Met& b) { return a.stress < b.stress; }) -
-      test.points.begin());
+  const auto top =
+      static_cast<std::size_t>(std::max_element(test.points.begin(), test.points.end(),
+                                                [](const Met& a, const Met& b) { return a.stress < b.stress; }) -
+                               test.points.begin());
   if (top + 1 >= n) return;
   const double highest = mean_stress(test, top - std::min(top, few), std::min(top + few, n - 1)),
                last = mean_stress(test, n - 1 - few, n - 1);
   if (test.points[top].strain > 0.98 * test.longest || !(last < fallen * highest)) return;
-  sentences.push_back(of_test(table, test) +
-                      fmt::format("the stress peaks at {} and falls to {:.0f} % of that: a falling branch (failure, slip or "
-                                  "damage), which no elastic solid has; {} keeps what is before it.",
-                                  stretch_of(table, found, test.points[top]), 100 * last / highest,
-                                  up_to(table, found, test.points[top], test.points[n - 1], true)));
+  sentences.push_back(
+      of_test(table, test) +
+      fmt::format("the stress peaks at {} and falls to {:.0f} % of that: a falling branch (failure, slip or "
+                  "damage), which no elastic solid has; {} keeps what is before it.",
+                  stretch_of(table, found, test.points[top]), 100 * last / highest,
+                  up_to(table, found, test.points[top], test.points[n - 1], true)));
 }
 
 // Stress where there is no strain.
 bool offset(const CsvTable& table, const Followed& test, std::vector<std::string>& sentences) {
   for (const Met& point : test.points) {
     if (point.strain > standing * test.longest || std::abs(point.stress) < offset_share * test.largest) continue;
-    sentences.push_back(of_test(table, test) +
-                        fmt::format("an offset: the stress is {} at stretch 1 ({:.2g} % of the largest): a preload, or a zero that "
-                                    "is none; take it off the column.",
-                                    page::quantity(point.stress, dimension::pressure), 100 * std::abs(point.stress) / test.largest));
+    sentences.push_back(
+        of_test(table, test) +
+        fmt::format("an offset: the stress is {} at stretch 1 ({:.2g} % of the largest): a preload, or a zero that "
+                    "is none; take it off the column.",
+                    page::quantity(point.stress, dimension::pressure), 100 * std::abs(point.stress) / test.largest));
     return true;
   }
   return false;
@@ -218,7 +227,8 @@ void toe(const CsvTable& table, const FoundColumns& found, const Followed& test,
     const double length = p[i].strain - p[0].strain;
     while (j < end && p[j].strain < p[i].strain + length) ++j;
     if (!(length > 0) || p[j].strain <= p[i].strain) continue;
-    const double before = (p[i].stress - p[0].stress) / length, after = (p[j].stress - p[i].stress) / (p[j].strain - p[i].strain);
+    const double before = (p[i].stress - p[0].stress) / length,
+                 after = (p[j].stress - p[i].stress) / (p[j].strain - p[i].strain);
     if (!(after > toe_slope * whole) || (after - before) * length < toe_noise * noise) continue;
     const double ratio = after / std::max(std::abs(before), 1e-3 * after);
     if (ratio > toe_kink && ratio > 0.5 * sharpest) sharpest = std::max(sharpest, ratio), knee = i;
@@ -226,11 +236,13 @@ void toe(const CsvTable& table, const FoundColumns& found, const Followed& test,
   if (knee == 0) return;
   sentences.push_back(
       of_test(table, test) +
-      fmt::format("a toe: the first points, to {}, carry next to no stress ({} to {}), behind them the curve is {:.0f} times "
-                  "as steep: slack or seating; {} leaves them out (and count the stretch from there), --residual absolute gives "
-                  "them little weight.",
-                  stretch_of(table, found, p[knee]), page::quantity(p[0].stress, dimension::pressure),
-                  page::quantity(p[knee].stress, dimension::pressure), sharpest, up_to(table, found, p[knee], p[end], false)));
+      fmt::format(
+          "a toe: the first points, to {}, carry next to no stress ({} to {}), behind them the curve is {:.0f} times "
+          "as steep: slack or seating; {} leaves them out (and count the stretch from there), --residual absolute "
+          "gives "
+          "them little weight.",
+          stretch_of(table, found, p[knee]), page::quantity(p[0].stress, dimension::pressure),
+          page::quantity(p[knee].stress, dimension::pressure), sharpest, up_to(table, found, p[knee], p[end], false)));
 }
 
 bool names_specimens(const std::string& name) {
@@ -262,16 +274,18 @@ std::vector<std::string> several_materials(const CsvTable& table, const FoundCol
       for (const auto& value : different) some.push_back(some.size() < 3 ? in_quotes(value) : "...");
       some.resize(std::min<std::size_t>(some.size(), 4));
       const std::string& header = table.columns[static_cast<std::size_t>(c)].header;
-      sentences.push_back(fmt::format("{}: {}: column {} has {} values ({}), which are fitted as one solid: --where \"{}={}\" keeps "
-                                      "one.",
-                                      table.file, word(mode), in_quotes(header), different.size(), fmt::format("{}", listed(some)),
-                                      header, *different.begin()));
+      sentences.push_back(
+          fmt::format("{}: {}: column {} has {} values ({}), which are fitted as one solid: --where \"{}={}\" keeps "
+                      "one.",
+                      table.file, word(mode), in_quotes(header), different.size(), fmt::format("{}", listed(some)),
+                      header, *different.begin()));
       break;
     }
   return sentences;
 }
 
-std::vector<std::string> shapes(const CsvTable& table, const FoundColumns& found, const std::vector<StressPoint>& points) {
+std::vector<std::string> shapes(const CsvTable& table, const FoundColumns& found,
+                                const std::vector<StressPoint>& points) {
   std::vector<std::string> sentences;
   for (const Followed& test : followed(points)) {
     if (!(test.longest > 0) || !(test.largest > 0)) continue;

@@ -128,12 +128,15 @@ std::string negative_sum(const CurveFit& fit) {
   for (std::size_t k = 0; k < fit.refused->terms.size(); ++k) {
     const auto& [mu, alpha] = fit.refused->terms[k];
     names += std::string(k == 0 ? "" : " + ") + (mooney ? alpha > 0 ? "C10" : "C01" : fmt::format("mu_{}", k + 1));
-    moduli += (k == 0 ? "" : mu < 0 ? " - " : " + ") +
+    moduli += (k == 0   ? ""
+               : mu < 0 ? " - "
+                        : " + ") +
               page::quantity((k == 0 ? mu : std::abs(mu)) / (mooney ? 2 : 1), dimension::pressure);
   }
-  return fmt::format("The best fit with moduli of any sign has a negative sum of them, {} = {}: that is no solid. With every "
-                     "modulus held positive (without --unconstrained) there may be one.",
-                     names, moduli);
+  return fmt::format(
+      "The best fit with moduli of any sign has a negative sum of them, {} = {}: that is no solid. With every "
+      "modulus held positive (without --unconstrained) there may be one.",
+      names, moduli);
 }
 
 }  // namespace

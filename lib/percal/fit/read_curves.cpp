@@ -39,21 +39,21 @@ ModeWords mode_words(const CsvTable& table, FoundColumns& found, const std::stri
   std::vector<std::string> words;
   for (const auto& row : table.rows) words.push_back(table.cell(row, *found.mode));
   const std::set<std::string> different(words.begin(), words.end());
-  if (mode.empty() || std::any_of(different.begin(), different.end(), [](const auto& word) { return deformation_of(word); }))
+  if (mode.empty() ||
+      std::any_of(different.begin(), different.end(), [](const auto& word) { return deformation_of(word); }))
     return {mode, words};
   std::vector<std::string> quoted;
   for (const auto& word : different) quoted.push_back(in_quotes(word));
-  warnings.push_back(fmt::format(
-      "{}: {} of column {} {} none of percal's: {} is taken as --mode says{}.", table.file, listed(quoted), in_quotes(table.columns[static_cast<std::size_t>(*found.mode)].header),
-      different.size() == 1 ? "is a word that is" : "are words that are", mode,
-      different.size() == 1 ? "" : ", all of them as one test (--where keeps one)"));
+  warnings.push_back(fmt::format("{}: {} of column {} {} none of percal's: {} is taken as --mode says{}.", table.file,
+                                 listed(quoted), in_quotes(table.columns[static_cast<std::size_t>(*found.mode)].header),
+                                 different.size() == 1 ? "is a word that is" : "are words that are", mode,
+                                 different.size() == 1 ? "" : ", all of them as one test (--where keeps one)"));
   found.mode.reset();
   return {mode};
 }
 
 // The deformation of every row.
-std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found,
-                                      const ModeWords& words) {
+std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found, const ModeWords& words) {
   if (!found.mode) {
     if (words.of_all.empty())
       throw BadInput({table.file, table.header_line, ""}, "no column 'mode'",
@@ -65,9 +65,10 @@ std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns&
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto deformation = deformation_of(words[i]);
     if (!deformation)
-      faults.add(table.rows[i].line,
-                 fmt::format("{}: found {}; accepted: {}; or --mode, which stands where none of the column's words is known",
-                             table.columns[*found.mode].header, in_quotes(words[i]), deformation_words()));
+      faults.add(
+          table.rows[i].line,
+          fmt::format("{}: found {}; accepted: {}; or --mode, which stands where none of the column's words is known",
+                      table.columns[*found.mode].header, in_quotes(words[i]), deformation_words()));
     all.push_back(deformation.value_or(Deformation::uniaxial));
   }
   faults.throw_if_any();
@@ -81,9 +82,10 @@ std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& fou
   std::vector<bool> compressed;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     if ((by_x || by_y) && says_tension(words[i]))
-      throw BadInput({table.file, table.rows[i].line, table.columns[static_cast<std::size_t>(by_x ? found.x : found.y)].header},
-                     "the word of compression in the header, but the mode " + in_quotes(words[i]),
-                     "the mode compression, or another name of the column");
+      throw BadInput(
+          {table.file, table.rows[i].line, table.columns[static_cast<std::size_t>(by_x ? found.x : found.y)].header},
+          "the word of compression in the header, but the mode " + in_quotes(words[i]),
+          "the mode compression, or another name of the column");
     compressed.push_back(modes[i] != Deformation::simple_shear && (by_x || by_y || says_compression(words[i])));
   }
   return compressed;

@@ -65,12 +65,15 @@ std::vector<std::string> rulers(const CurveData& data, const CurveFit& fit) {
   const CurveProblem problem = curve_problem(data, fit.options.residual, fit.options.weighting);
   const Rule rule = rule_of(problem, data, absolute.minima[0].solid);
   if (static_cast<double>(rule.count) <= few_points * static_cast<double>(rule.of))
-    sentence += fmt::format(" {} of {} points rule{} it, at stretches {:.4g} to {:.4g} with stresses {} to {}: with {} residuals "
-                            "{:.3g} % of the sum of squares is theirs where the others are followed.",
-                            rule.count, rule.of, rule.count == 1 ? "s" : "", rule.low, rule.high, page::quantity(rule.least, dimension::pressure),
-                            page::quantity(rule.most, dimension::pressure), word(fit.options.residual), 100 * rule.share);
+    sentence += fmt::format(
+        " {} of {} points rule{} it, at stretches {:.4g} to {:.4g} with stresses {} to {}: with {} residuals "
+        "{:.3g} % of the sum of squares is theirs where the others are followed.",
+        rule.count, rule.of, rule.count == 1 ? "s" : "", rule.low, rule.high,
+        page::quantity(rule.least, dimension::pressure), page::quantity(rule.most, dimension::pressure),
+        word(fit.options.residual), 100 * rule.share);
   if (fit.options.residual != Residual::absolute && absolute.minima[0].r2.value_or(0) > *fit.minima[0].r2)
-    sentence += " --residual absolute gives " + result_of(absolute.minima[0]) + "; or leave such points out with --where.";
+    sentence +=
+        " --residual absolute gives " + result_of(absolute.minima[0]) + "; or leave such points out with --where.";
   return {sentence};
 }
 

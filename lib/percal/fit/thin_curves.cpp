@@ -56,10 +56,10 @@ void thin(CurveData& data) {
     Crowd& crowd = crowds[point.strained.deformation];
     if (crowd.points > most_points) {
       const bool two = point.strained.deformation == Deformation::biaxial;
-      const auto [found, fresh] = place.try_emplace({point.strained.deformation,
-                                                     crowd.amount.bin(point.strained.amount, two ? bins_of_two : bins),
-                                                     two ? crowd.across.bin(point.strained.across, bins_of_two) : 0},
-                                                    kept.size());
+      const auto [found, fresh] = place.try_emplace(
+          {point.strained.deformation, crowd.amount.bin(point.strained.amount, two ? bins_of_two : bins),
+           two ? crowd.across.bin(point.strained.across, bins_of_two) : 0},
+          kept.size());
       if (!fresh) {
         take(kept[found->second], point);
         continue;
@@ -70,10 +70,10 @@ void thin(CurveData& data) {
   }
   for (const auto& [deformation, crowd] : crowds)
     if (crowd.left < crowd.points)
-      data.sources.back().warnings.push_back(
-          fmt::format("{}: {}: {} rows are averaged to {} points, which is all that a fit can tell apart; each counts as "
-                      "many rows as it stands for.",
-                      data.sources.back().file, word(deformation), crowd.points, crowd.left));
+      data.sources.back().warnings.push_back(fmt::format(
+          "{}: {}: {} rows are averaged to {} points, which is all that a fit can tell apart; each counts as "
+          "many rows as it stands for.",
+          data.sources.back().file, word(deformation), crowd.points, crowd.left));
   data.points = std::move(kept);
 }
 

@@ -100,8 +100,8 @@ std::string interval_words(const Json& interval, const Dimension& dimension, int
   if (!low || !high) return absent;
   if (*low == *high) return "held";
   const auto end = [&](const std::optional<double>& value) { return quantity(value, dimension, digits); };
-  return (yes(interval, "low_open") ? "below " : "") + end(low) + " to " + (yes(interval, "high_open") ? "above " : "") +
-         end(high);
+  return (yes(interval, "low_open") ? "below " : "") + end(low) + " to " +
+         (yes(interval, "high_open") ? "above " : "") + end(high);
 }
 std::string interval_words(const Json& object, const std::string& key, int digits) {
   const std::string name = key + unit_beside(object, key);

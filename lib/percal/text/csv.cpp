@@ -288,14 +288,14 @@ CsvTable CsvTable::where(const std::vector<std::string>& conditions) const {
     const Condition condition = condition_of(text_of_condition, file);
     const int index = column(condition.column);
     if (condition.sign.find_first_of("<>") == 0 && !number_of_condition(condition.value, dialect.decimal_comma).value)
-      throw BadInput({file, 0, ""}, "the condition " + in_quotes(text_of_condition), "a number behind " + condition.sign);
+      throw BadInput({file, 0, ""}, "the condition " + in_quotes(text_of_condition),
+                     "a number behind " + condition.sign);
     LineFaults faults(file);
     std::vector<CsvRow> matching;
     for (const auto& row : kept.rows) {
       const std::string found = cell(row, index);
-      if (is_met(condition, found, dialect.decimal_comma, [&](const std::string& what) {
-            faults.add(row.line, columns[index].header + ": found " + what);
-          }))
+      if (is_met(condition, found, dialect.decimal_comma,
+                 [&](const std::string& what) { faults.add(row.line, columns[index].header + ": found " + what); }))
         matching.push_back(row);
     }
     faults.throw_if_any();

@@ -137,7 +137,8 @@ std::string which_mu(const Json& result) {
   const auto mu = number(terms.at(0), "mu_Pa"), alpha = number(terms.at(0), "alpha");
   if (terms.size() == 1 && mu && alpha && *alpha != 0)
     return "mu is the small-strain shear modulus of W; LS-DYNA's MU1 would be " + pressure(2 * *mu / *alpha) + ".";
-  return "mu is the small-strain shear modulus of W, of each term its own; LS-DYNA's MU1 is another number (--details).";
+  return "mu is the small-strain shear modulus of W, of each term its own; LS-DYNA's MU1 is another number "
+         "(--details).";
 }
 
 Section result_section(const Json& result) {

@@ -67,7 +67,7 @@ std::string level_of(const Json& result);  // "95 % interval"
 std::string region_of(const Json& result, const std::string& key, const Dimension& dimension, int digits = 3);
 
 Section warnings_section(const Json& result);  // what must be read before the answer; none for a plausible curve
-Table sources_table(const Json& result);  // files, columns, SHA-256
+Table sources_table(const Json& result);       // files, columns, SHA-256
 Section parameters_section(const Json& result);
 Section minima_section(const Json& result);
 Section stability_section(const Json& result);
