@@ -86,8 +86,9 @@ TEST(CurveShapes, AnOffsetIsStressAtStretchOne) {
 TEST(CurveShapes, AToeIsSaidWithItsPoints) {
   std::vector<Row> rows{{0, 0, 0}, {0.02, 0.01}, {0.04, 0.01}, {0.06, 0.01}};
   for (int i = 4; i <= 50; ++i) rows.push_back({0.02 * i});
-  EXPECT_THAT(warnings(rows), ElementsAre(AllOf(HasSubstr("a toe: the first points, to strain 0.060000"),
-                                                HasSubstr("--residual absolute"))));
+  EXPECT_THAT(warnings(rows),
+              ElementsAre(AllOf(HasSubstr("a toe: the first points, to strain 0.060000"),
+                                HasSubstr("--where \"strain>0.060000\""), HasSubstr("--residual absolute"))));
 }
 
 TEST(CurveShapes, TheNoiseOfARawLogIsNoToe) {

@@ -91,15 +91,16 @@ Branches branches_of(const Followed& test) {
 
 std::string of_test(const CsvTable& table, const Followed& test) { return table.file + ": " + test.name + ": "; }
 
-// "--where "strain<0.4"", for the rows up to a point.
-std::string up_to(const CsvTable& table, const FoundColumns& found, const Met& last, const Met& beyond,
-                  bool keep_before) {
-  const std::string here = table.cell(table.rows[last.row], found.x);
+enum class Keep { up_to, behind };
+
+// "--where "strain<=0.4"": the rows up to a point of a loading, or those behind it; `end` is another behind it.
+std::string rows_kept(const CsvTable& table, const FoundColumns& found, const Met& point, const Met& end, Keep keep) {
+  const std::string here = table.cell(table.rows[point.row], found.x);
   const auto a = parse_number(here, table.dialect.decimal_comma),
-             b = parse_number(table.cell(table.rows[beyond.row], found.x), table.dialect.decimal_comma);
+             b = parse_number(table.cell(table.rows[end.row], found.x), table.dialect.decimal_comma);
   const bool rising = a.value && b.value && *b.value > *a.value;
   return fmt::format("--where \"{}{}{}\"", table.columns[static_cast<std::size_t>(found.x)].name,
-                     rising == keep_before ? "<=" : ">=", here);
+                     keep == Keep::up_to ? (rising ? "<=" : ">=") : (rising ? ">" : "<"), here);
 }
 
 std::string stretch_of(const CsvTable& table, const FoundColumns& found, const Met& point) {
@@ -171,7 +172,7 @@ void peak(const CsvTable& table, const FoundColumns& found, const Followed& test
       fmt::format("the stress peaks at {} and falls to {:.0f} % of that: a falling branch (failure, slip or "
                   "damage), which no elastic solid has; {} keeps what is before it.",
                   stretch_of(table, found, test.points[top]), 100 * last / highest,
-                  up_to(table, found, test.points[top], test.points[n - 1], true)));
+                  rows_kept(table, found, test.points[top], test.points[n - 1], Keep::up_to)));
 }
 
 // Stress where there is no strain.
@@ -242,7 +243,8 @@ void toe(const CsvTable& table, const FoundColumns& found, const Followed& test,
           "gives "
           "them little weight.",
           stretch_of(table, found, p[knee]), page::quantity(p[0].stress, dimension::pressure),
-          page::quantity(p[knee].stress, dimension::pressure), sharpest, up_to(table, found, p[knee], p[end], false)));
+          page::quantity(p[knee].stress, dimension::pressure), sharpest,
+          rows_kept(table, found, p[knee], p[end], Keep::behind)));
 }
 
 bool names_specimens(const std::string& name) {
