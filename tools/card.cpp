@@ -32,8 +32,8 @@ CardRequest request_of(const CardArguments& card) {
                                         "a positive density with its unit, such as \"1010 kg/m3\"");
   if (card.bulk_to_shear && !(*card.bulk_to_shear > 0 && std::isfinite(*card.bulk_to_shear)))
     throw BadInput({"", 0, "--bulk-to-shear"}, std::to_string(*card.bulk_to_shear), "a positive number K/mu");
-  if (card.nu && !(*card.nu > -1 && *card.nu < 0.5))
-    throw BadInput({"", 0, "--nu"}, std::to_string(*card.nu), "a number between -1 and 0.5");
+  if (card.nu && !(*card.nu > 0 && *card.nu < 0.5))
+    throw BadInput({"", 0, "--nu"}, std::to_string(*card.nu), "a number between 0 and 0.5");
   request.bulk_to_shear = card.nu ? bulk_to_shear(*card.nu) : card.bulk_to_shear;
   return request;
 }
@@ -57,8 +57,7 @@ CurveRange range_of(const CardArguments& card) {
   return range;
 }
 
-// `what` ("card", "deck") of a result for a solver: one file is written as --file says; several go to its folder under their own
-// names.
+// `what` ("card", "deck") of a result for a solver: files go to the folder of --file, under their own names.
 Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const std::string& of_what,
              const CardArguments& card, const Common& common) {
   if (common.check) {
@@ -77,20 +76,23 @@ Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const 
     return Exit::done;
   }
   for (const DeckFile& file : files) {
-    const std::string path =
-        files.size() == 1 ? card.file : (std::filesystem::path(card.file).parent_path() / file.name).string();
+    const std::string path = (std::filesystem::path(card.file).parent_path() / file.name).string();
     write_file(path, file.text);
     if (!common.quiet) fmt::print("{}", fmt::format("wrote {}: {}\n", path, of_what));
   }
   return Exit::done;
 }
 
-// A material read from a card or, without a solver, from a result of percal.
+// A material read from a card or, without a solver, from a result of percal; density and bulk modulus may be missing.
 ReadCard read(const CardArguments& card) {
   const std::string text = read_file(card.card);
   const auto start = text.find_first_not_of(" \t\r\n");
-  if (start != std::string::npos && text[start] == '{')
-    return {{card_of_result(text, card.card, request_of(card)), 0}, "", "si"};
+  if (start != std::string::npos && text[start] == '{') {
+    CardRequest request = request_of(card);
+    request.complete = false;
+    const CardMaterial material = card_of_result(text, card.card, request);
+    return {{material, 0}, "", "si", implausible(material)};
+  }
   return read_card({text, card.card, card.solver, card.units, card.name});
 }
 
@@ -100,11 +102,27 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   return page::as_text(page::Table{.caption = "", .rows = rows, .notes = {}}, terminal_style(page::Detail::answer));
 }
 
-// What the card says, in both conventions of the modulus.
+std::string bulk_words(const CardMaterial& material) {
+  const double bulk = material.bulk_modulus, ratio = bulk / shear_modulus(material);
+  if (std::isnan(bulk)) return "not given";
+  if (std::isinf(bulk)) return "without limit: incompressible";
+  return fmt::format("{} = {:.6g} mu, Poisson's ratio {:.9g}", pressure(bulk), ratio, poisson_ratio(ratio));
+}
+
+std::string erosion_words(const FoundCard& found) {
+  if (found.material.erosion)
+    return "erosion at a largest principal strain of " + in_all_measures(*found.material.erosion);
+  return found.erodes_otherwise ? "elements erode by limits that percal has not: see what is passed over"
+                                : "no erosion";
+}
+
+// What the card says, in both conventions of the modulus; what is doubtful about it first.
 std::string summary(const ReadCard& read, const std::string& file) {
   const CardMaterial& material = read.found.material;
-  const double mu = shear_modulus(material), ratio = material.bulk_modulus / mu;
-  std::string text = fmt::format("{}: material '{}'", file, material.name);
+  const double mu = shear_modulus(material);
+  std::string text;
+  for (const std::string& one : read.warnings) text += "warning: " + one + "\n";
+  text += fmt::format("{}: material '{}'", file, material.name);
   text += read.solver.empty() ? "\n" : fmt::format(", a card for {} in {}\n", read.solver, read.units);
   std::vector<std::vector<std::string>> rows = {{"term", "mu", "alpha", "2 mu/alpha"}};
   for (std::size_t k = 0; k < material.terms.size(); ++k) {
@@ -115,11 +133,10 @@ std::string summary(const ReadCard& read, const std::string& file) {
   text += aligned(rows);
   text +=
       fmt::format("  small-strain shear modulus mu: {}, Young's modulus 3 mu: {}\n", pressure(mu), pressure(3 * mu));
-  text += fmt::format("  bulk modulus K: {} = {:.6g} mu, Poisson's ratio {:.9g}\n", pressure(material.bulk_modulus),
-                      ratio, poisson_ratio(ratio));
-  text += fmt::format("  density: {:.9g} kg/m3\n", material.density);
-  text += material.erosion ? "  erosion at a largest principal strain of " + in_all_measures(*material.erosion) + "\n"
-                           : "  no erosion\n";
+  text += fmt::format("  bulk modulus K: {}\n", bulk_words(material));
+  text += std::isnan(material.density) ? "  density: not given\n"
+                                       : fmt::format("  density: {:.9g} kg/m3\n", material.density);
+  text += "  " + erosion_words(read.found) + "\n";
   for (const std::string& one : read.found.ignored) text += "  passed over: " + one + "\n";
   return text;
 }
@@ -133,10 +150,11 @@ std::string curve_text(const CardMaterial& material, const CurveRange& range) {
                     pressure(shear ? point.stress : point.stress * point.amount)});
   std::string text = fmt::format("  {}, incompressible (closed form, K without limit):\n", word(range.deformation));
   text += aligned(rows);
-  text += fmt::format(
-      "  with this K Young's modulus is 9 K mu/(3 K + mu) = {}, {:.3g} % below 3 mu; away from J = 1 the programs'\n"
-      "  volumetric laws differ\n",
-      pressure(9 * bulk * mu / (3 * bulk + mu)), 100 * mu / (3 * bulk + mu));
+  if (std::isfinite(bulk))
+    text += fmt::format(
+        "  with this K Young's modulus is 9 K mu/(3 K + mu) = {}, {:.3g} % below 3 mu; away from J = 1 the programs'\n"
+        "  volumetric laws differ\n",
+        pressure(9 * bulk * mu / (3 * bulk + mu)), 100 * mu / (3 * bulk + mu));
   return text + "  " + stability_of(material) + "\n";
 }
 
@@ -149,18 +167,14 @@ json points_of(const CardMaterial& material, const CurveRange& range) {
   return {{"deformation", word(range.deformation)}, {"stretch_or_shear", amounts}, {"nominal_stress_Pa", stresses}};
 }
 
-json as_json(const ReadCard& read) {
-  return {{"card", card_to_json(read.found.material)},
-          {"solver", read.solver.empty() ? json(nullptr) : json(read.solver)},
-          {"units", read.units},
-          {"passed_over", read.found.ignored}};
-}
-
 }  // namespace
 
 Exit run_card_write(const CardArguments& card, const Common& common) {
   const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
   CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));
+  if (!material.contradiction.empty() && !card.force)
+    throw BadInput({card.result, 0, "cards"}, "a card whose data contradict each other: " + material.contradiction,
+                   "data that agree; --force writes the card with a warning in it");
   if (!card.element_size.empty()) {
     if (const auto found = strain_for_elements(card, material, common)) {
       if (!found->why_not.empty()) {
@@ -174,19 +188,18 @@ Exit run_card_write(const CardArguments& card, const Common& common) {
   const std::string of_what = fmt::format("'{}' for {} in {}", material.name, card.solver, units.name);
   if (!card.deck.empty()) {
     const UniaxialTest test{.stretch = card.stretch, .increments = card.increments};
-    return deliver(
-        uniaxial_deck(solver_named(card.solver), material, units, test, card.file.empty() ? "uniaxial" : card.file),
-        "deck", "uniaxial test of " + of_what, card, common);
+    return deliver(uniaxial_deck(solver_named(card.solver), material, units, test, card.file), "deck",
+                   "uniaxial test of " + of_what, card, common);
   }
   const std::string text = card.solver == "csv" ? csv_card(material, units, range_of(card))
                                                 : solver_named(card.solver).card(material, units);
-  return deliver({{card.file, text}}, "card", of_what, card, common);
+  return deliver({{std::filesystem::path(card.file).filename().string(), text}}, "card", of_what, card, common);
 }
 
 Exit run_card_read(const CardArguments& card, const Common& common) {
   const ReadCard found = read(card);
   if (common.json) {
-    fmt::print("{}", page::written(as_json(found)));
+    fmt::print("{}", page::written(read_card_to_json(found)));
   } else {
     fmt::print("{}", summary(found, card.card));
   }
@@ -199,7 +212,7 @@ Exit run_card_check(const CardArguments& card, const Common& common) {
   const CurveRange range = range_of(card);
   if (!card.csv.empty()) write_file(card.csv, csv_card(material, unit_system(found.units), range));
   if (common.json) {
-    json result = as_json(found);
+    json result = read_card_to_json(found);
     result["curve"] = points_of(material, range);
     result["stability"] = stability_of(material);
     fmt::print("{}", page::written(result));

@@ -95,7 +95,8 @@ struct CardArguments {
   std::string mode = "uniaxial";  // of a curve
   std::string range;              // LOW:HIGH of its stretches; empty: 0.5:2, in shear 0:1
   int points = 31;
-  std::string csv;  // of check: file for the curve
+  std::string csv;     // of check: file for the curve
+  bool force = false;  // of write: a card of contradicted data too
 };
 
 struct ReportArguments {

@@ -220,6 +220,7 @@ void add_card_write(CLI::App& card_command, CardArguments& card, Common& common,
   command
       ->add_option("--threads", common.threads, "with --element-size: runs side by side (default: one for each core)")
       ->needs(size);
+  command->add_flag("--force", card.force, "write the card of data that contradict each other, with a warning in it");
   command->add_flag("--check", common.check, "read and convert, write nothing");
   command->add_flag("--quiet", common.quiet, "print nothing but errors");
   command->footer(

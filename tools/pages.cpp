@@ -16,6 +16,7 @@
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/page/page.hpp"
 #include "percal/text/file.hpp"
+#include "percal/text/json.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -60,19 +61,16 @@ page::Page page_of_result(const Json& result, const std::string& file) {
     } catch (const page::MissingKey& missing) {
       throw BadInput({file, 0, missing.key}, "nothing",
                      "a value, as every result of percal " + commands.back() + " has it");
+    } catch (const Json::exception& error) {
+      throw BadInput({file, 0, ""}, error.what(),
+                     "values of the kinds that a result of percal " + commands.back() + " has");
     }
   }
   throw BadInput({file, 0, "command"}, shown(command), "a result of " + listed(commands));
 }
 
 page::ReadResult read_result(const std::string& file) {
-  page::ReadResult result{file, {}, {}};
-  try {
-    result.json = Json::parse(read_file(file));
-  } catch (const Json::parse_error& error) {
-    throw BadInput({file, 0, ""}, "no JSON (byte " + std::to_string(error.byte) + ")",
-                   "the result.json of a command of percal");
-  }
+  page::ReadResult result{file, parse_json(read_file(file), file, "the result.json of a command of percal"), {}};
   result.page = page_of_result(result.json, file);
   return result;
 }

@@ -13,4 +13,5 @@
 #include "percal/material/homogeneous.hpp"
 #include "percal/material/hyperelastic.hpp"
 #include "percal/material/ogden.hpp"
+#include "percal/material/plausible.hpp"
 #include "percal/material/stability.hpp"

@@ -23,7 +23,8 @@ std::string text_of(const CardMaterial& material) {
 
 std::string read(const std::string& text, const std::string& file, const std::optional<std::string>& solver,
                  const std::optional<std::string>& units) {
-  return text_of(read_card({text, file, solver.value_or(""), units.value_or(""), ""}).found.material);
+  return read_card_to_json(read_card({text, file, solver.value_or(""), units.value_or(""), ""}))
+      .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "calibrate/small_job.hpp"
+#include "percal/calibrate/cards.hpp"
 #include "percal/calibrate/layer_width.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/scene/solver_words.hpp"
 
 namespace percal {
 namespace {
@@ -28,6 +32,16 @@ TEST_F(BestScenes, AreTheShotsOnTheMeshOfTheFreshRuns) {
     EXPECT_EQ(problem.arithmetic, Arithmetic::double_precision);
   }
   EXPECT_NEAR(std::get<StrainErosion>(scenes[0].scene.target.erosion).limit, 0.9, 1e-12);
+}
+
+// For whoever uses the erosion strain in another program.
+TEST_F(BestScenes, HaveTheNumericsThatTheCardsSay) {
+  const CalibrationJob job = read_job();
+  const CalibrationResult result = calibrate_test::made_up_result(job);
+  const auto cards = calibration_cards(job, result.hypotheses[0]);
+  ASSERT_FALSE(cards.empty());
+  const std::string said = "its runs had " + in_words(best_scenes(job, result)[0].scene.solver);
+  EXPECT_EQ(std::ranges::count(cards[0].comments, said), 1);
 }
 
 TEST_F(BestScenes, OfAJobWithoutAWidthAreAsWideAsTheFastestShotNeeds) {

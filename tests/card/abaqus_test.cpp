@@ -87,12 +87,7 @@ TEST(AbaqusCard, IsNotBrokenByOddComments) {
 }
 
 std::string abaqus_refusal(const std::string& card) {
-  try {
-    read_card("abaqus", card, unit_system("si"), "card.inp");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return card_test::reader_refusal("abaqus", card, unit_system("si"), "card.inp");
 }
 
 TEST(AbaqusReader, NamesFileLineAndFieldOfWhatItCannotRead) {
@@ -101,12 +96,12 @@ TEST(AbaqusReader, NamesFileLineAndFieldOfWhatItCannotRead) {
   EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=4\n1, 2, 3\n"),
               AllOf(HasSubstr("card.inp:4"), HasSubstr("N=4")));
   EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=2\n1, 2, 3\n"), HasSubstr("card.inp:5"));
-  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, NEO HOOKE\n1, 2\n"), HasSubstr("OGDEN"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, NEO HOOKE\n1, 2\n"),
+              AllOf(HasSubstr("NEO HOOKE"), HasSubstr("alpha = 2")));
   EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, TEST DATA INPUT\n1, 2\n"), HasSubstr("percal fit"));
-  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2\n"), HasSubstr("card.inp:5"));
-  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2, 0\n"), HasSubstr("D1"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1\n"), HasSubstr("card.inp:5"));
+  EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, 2, -1\n"), HasSubstr("D1"));
   EXPECT_THAT(abaqus_refusal(start + "*HYPERELASTIC, OGDEN, N=1\n1, b, 1\n"), HasSubstr("alpha"));
-  EXPECT_THAT(abaqus_refusal("*MATERIAL, NAME=X\n*HYPERELASTIC, OGDEN, N=1\n1, 2, 1\n"), HasSubstr("*DENSITY"));
 }
 
 }  // namespace

@@ -38,10 +38,26 @@ inline std::string write_card(const std::string& solver, const CardMaterial& mat
   return solver_named(solver).card(material, units);
 }
 
+inline FoundCard found_card(const std::string& solver, const std::string& text, const UnitSystem& units,
+                            const std::string& file = "card") {
+  return chosen_card(solver_named(solver).read(text, file, units), "", file);
+}
+
+// What the reader says; empty where it reads.
+inline std::string reader_refusal(const std::string& solver, const std::string& text, const UnitSystem& units,
+                                  const std::string& file = "card") {
+  try {
+    found_card(solver, text, units, file);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // The only material of a file.
 inline CardMaterial read_card(const std::string& solver, const std::string& text, const UnitSystem& units,
                               const std::string& file = "card") {
-  return chosen_card(solver_named(solver).read(text, file, units), "", file).material;
+  return found_card(solver, text, units, file).material;
 }
 
 inline std::string columns(const std::string& line, std::size_t field) {

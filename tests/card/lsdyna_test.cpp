@@ -142,12 +142,7 @@ TEST(LsDynaCard, RefusesAnExponentSoSmallThatItsModulusOverflows) {
 }
 
 std::string lsdyna_refusal(const std::string& card) {
-  try {
-    read_card("lsdyna", card, unit_system("si"), "card.k");
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return card_test::reader_refusal("lsdyna", card, unit_system("si"), "card.k");
 }
 
 TEST(LsDynaReader, NamesFileLineAndFieldOfWhatItCannotRead) {
@@ -155,7 +150,6 @@ TEST(LsDynaReader, NamesFileLineAndFieldOfWhatItCannotRead) {
   EXPECT_THAT(lsdyna_refusal("*MAT_ELASTIC\n"), AllOf(HasSubstr("card.k"), HasSubstr("no Ogden material")));
   EXPECT_THAT(lsdyna_refusal(replaced(card, "     1.5e7", "     1.5q7")), AllOf(HasSubstr("MU1"), HasSubstr("1.5q7")));
   EXPECT_THAT(lsdyna_refusal(replaced(card, "1000..490066225", "1000.       0.5")), HasSubstr("PR"));
-  EXPECT_THAT(lsdyna_refusal(replaced(card, "$ strain measure of MXEPS", "$ other")), HasSubstr("strain"));
   EXPECT_THAT(lsdyna_refusal(replaced(card, "     1.5e7        0.", "     1.5e7        1.")), HasSubstr("ALPHA2"));
   EXPECT_THAT(lsdyna_refusal("*MAT_OGDEN_RUBBER\n         1     1000.\n"), HasSubstr("MU1 to MU8"));
   EXPECT_THAT(lsdyna_refusal(replaced(card, "     1.5e7        0.        0.", "     1.5e7        0.        1.")),

@@ -11,6 +11,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class CardProgram : public test::Program {
  protected:
@@ -52,6 +53,21 @@ TEST_F(CardProgram, RefusesBadInputWithExitCodeTwo) {
   EXPECT_FALSE(std::filesystem::exists(path("fit.k")));
 }
 
+TEST_F(CardProgram, WritesACardOfContradictoryDataOnlyByForce) {
+  CardMaterial contradicted = card_test::skin();
+  contradicted.contradiction = "skin: the depths alone want another modulus.";
+  write("result.json", nlohmann::json{{"card", card_to_json(contradicted)}}.dump());
+  for (const std::string& solver : solver_words()) {
+    const std::string command = "result.json --solver " + solver;
+    const test::Ended refused = write_card(command);
+    EXPECT_EQ(refused.code, 2) << solver;
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("want another modulus"), HasSubstr("--force")));
+    const test::Ended forced = write_card(command + " --force");
+    EXPECT_EQ(forced.code, 0) << forced.err;
+    EXPECT_THAT(forced.out, HasSubstr("WARNING: the data behind this card contradict each other")) << solver;
+  }
+}
+
 TEST_F(CardProgram, ReadsItsOwnCardsAndWritesThemAgain) {
   for (const std::string& solver : solver_words()) {
     SCOPED_TRACE(solver);
@@ -89,6 +105,47 @@ TEST_F(CardProgram, ChecksWhatACardMeans) {
   EXPECT_EQ(run(test::words_of("card check skin.feb --mode twist")).code, 2);
 }
 
+// A curve needs neither density nor bulk modulus: not of a fit, not of an incompressible card.
+TEST_F(CardProgram, ChecksACardWithoutDensityOrBulkModulus) {
+  write("fit.json", R"({"cards": [{"name": "fit", "mu_true_Pa": 1e6, "alpha": 3}]})");
+  const test::Ended fit = run(test::words_of("card check fit.json"));
+  EXPECT_EQ(fit.code, 0) << fit.err;
+  EXPECT_THAT(fit.out, AllOf(HasSubstr("density: not given"), HasSubstr("bulk modulus K: not given")));
+  write("gel.inp", "*MATERIAL, NAME=gel\n*HYPERELASTIC, OGDEN, N=1\n0.1, 9., 0.\n");
+  const test::Ended check = run(test::words_of("card check gel.inp --units mm-t-s-MPa --csv curve.csv"));
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out,
+              AllOf(HasSubstr("without limit: incompressible"), Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
+  EXPECT_THAT(read("curve.csv"), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+  write("gel.json", run(test::words_of("card read --json gel.inp --units mm-t-s-MPa")).out);
+  const test::Ended written = write_card("gel.json --solver abaqus");
+  EXPECT_EQ(written.code, 2);
+  EXPECT_THAT(written.err, HasSubstr("--bulk-to-shear"));
+}
+
+TEST_F(CardProgram, SaysFirstWhatWrongUnitsMake) {
+  write("gel.inp", "*MATERIAL, NAME=gel\n*DENSITY\n1e-9\n*HYPERELASTIC, OGDEN, N=1\n0.1, 9., 1e-2\n");
+  const test::Ended read = run(test::words_of("card read gel.inp --units mm-kg-ms-GPa"));
+  EXPECT_EQ(read.code, 0) << read.err;
+  EXPECT_TRUE(read.out.starts_with("warning: 1 kg/m3 is no density of a solid")) << read.out;
+}
+
+TEST_F(CardProgram, SaysThatElementsErodeByWhatItPassesOver) {
+  write("eff.k",
+        "*MAT_077_O\n         1    1.0E-6    0.4990\n      0.01\n       8.0\n*MAT_ADD_EROSION\n"
+        "         1     0.000     0.000     0.000     0.900\n         0\n");
+  const test::Ended read = run(test::words_of("card read eff.k --units mm-kg-ms-GPa"));
+  EXPECT_EQ(read.code, 0) << read.err;
+  EXPECT_THAT(read.out, AllOf(HasSubstr("passed over: EFFEPS of *MAT_ADD_EROSION: 0.9"), Not(HasSubstr("no erosion"))));
+}
+
+TEST_F(CardProgram, NamesTheFileThatADeckIsRunFrom) {
+  EXPECT_EQ(write_card("result.json --solver abaqus --deck uniaxial --file decks/c.inp").code, 0);
+  EXPECT_THAT(read("decks/c.inp"), HasSubstr("abaqus job=c interactive"));
+  EXPECT_EQ(write_card("result.json --solver lsdyna --deck uniaxial --file decks/c").code, 0);
+  EXPECT_THAT(read("decks/c.k"), HasSubstr("i=c.k"));
+}
+
 TEST_F(CardProgram, WritesATableThatFitReads) {
   const test::Ended table = write_card("result.json --solver csv --units mm-t-s-MPa --range 0.6:1.8 --file skin.csv");
   EXPECT_EQ(table.code, 0) << table.err;
@@ -102,6 +159,8 @@ TEST_F(CardProgram, WritesATableThatFitReads) {
   const test::Ended card = run(words);
   EXPECT_EQ(card.code, 0) << card.err;
   EXPECT_THAT(card.out, AllOf(HasSubstr("! name: gel"), HasSubstr("SHA-256"), HasSubstr("skin.csv")));
+  run(test::words_of("fit skin.csv --where mode=uniaxial --out chosen --no-intervals --quiet"));
+  EXPECT_EQ(result("chosen/result.json")["cards"][0]["name"], "uniaxial");
   words.back() = "1010 kg";
   EXPECT_EQ(run(words).code, 2);
 }

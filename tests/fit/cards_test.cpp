@@ -32,7 +32,7 @@ Uncertainty about_two_terms() {
 }
 
 TEST(FitCards, HaveTheTermsAndNeitherDensityNorBulkModulus) {
-  const auto cards = fit_cards({}, two_terms(), {});
+  const auto cards = fit_cards({}, two_terms(), {}, {});
   ASSERT_EQ(cards.size(), 1u);
   ASSERT_EQ(cards[0].terms.size(), 2u);
   EXPECT_EQ(cards[0].terms[1].mu, 3.75e6);
@@ -44,7 +44,7 @@ TEST(FitCards, HaveTheTermsAndNeitherDensityNorBulkModulus) {
 }
 
 TEST(FitCards, NameTheIntervalsAsCardsDoAndLeaveOpenEndsOut) {
-  const auto cards = fit_cards({}, two_terms(), about_two_terms());
+  const auto cards = fit_cards({}, two_terms(), about_two_terms(), {});
   ASSERT_TRUE(cards.at(0).intervals);
   const CardIntervals& intervals = *cards[0].intervals;
   EXPECT_EQ(intervals.level, 0.9);
@@ -57,7 +57,15 @@ TEST(FitCards, NameTheIntervalsAsCardsDoAndLeaveOpenEndsOut) {
   EXPECT_FALSE(intervals.of[2].high);
 }
 
-TEST(FitCards, AreNoneWithoutAMinimum) { EXPECT_TRUE(fit_cards({}, {}, {}).empty()); }
+// A file has many materials: its rows were chosen by --where.
+TEST(FitCards, KeepWhichMaterialTheyAreOf) {
+  const auto cards = fit_cards({}, two_terms(), {}, {"material=Ecoflex 00-30", "stretch<3"});
+  EXPECT_EQ(cards.at(0).name, "Ecoflex 00-30");
+  EXPECT_EQ(cards[0].comments.back(), "rows where material=Ecoflex 00-30, stretch<3");
+  EXPECT_EQ(fit_cards({}, two_terms(), {}, {"stretch<3"}).at(0).name, "fit");
+}
+
+TEST(FitCards, AreNoneWithoutAMinimum) { EXPECT_TRUE(fit_cards({}, {}, {}, {}).empty()); }
 
 TEST(FitCards, NameTheFilesThatCanBeRead) {
   CurveData data;
@@ -67,7 +75,7 @@ TEST(FitCards, NameTheFilesThatCanBeRead) {
     source.file = one;
     data.sources.push_back(source);
   }
-  const auto cards = fit_cards(data, two_terms(), {});
+  const auto cards = fit_cards(data, two_terms(), {}, {});
   ASSERT_EQ(cards.at(0).data.size(), 1u);
   EXPECT_EQ(cards[0].data[0].file, "treloar1944_rubber_primary.csv");
   EXPECT_EQ(cards[0].data[0].sha256.size(), 64u);

@@ -55,7 +55,7 @@ void read_card_of(const char* solver, const std::string& input) {
 void read_result_and_show(const std::string& input) {
   const page::ReadResult result = tools::read_result(as_file(input, "result.json"));
   page::as_text(result.page, {.columns = 80, .colour = false, .detail = page::Detail::more});
-  page::as_html(result.page);
+  page::html(result.page, {});
 }
 
 void open_store(const std::string& input) {

@@ -136,6 +136,7 @@ TEST_F(SecondJob, TheCardHoldsWhatWasFound) {
   EXPECT_EQ(found["cards"][0]["erosion"]["strain"], found["skin"]["erosion_strain"]);
   EXPECT_EQ(found["cards"][0]["erosion"]["measure"], "true");
   EXPECT_EQ(found["cards"][0]["density_kg_m3"], 1060.0);
+  EXPECT_THAT(found["cards"][0]["comments"].dump(), HasSubstr("its runs had bulk viscosity"));
   EXPECT_NEAR(found["cards"][0]["bulk_modulus_Pa"].get<double>() / found["cards"][0]["mu_true_Pa"].get<double>(), 40,
               1e-9);
   const Ended card = run({"card", "write", "out/result.json", "--solver", "lsdyna", "--units", "mm-ms-kg-GPa"});

@@ -58,5 +58,12 @@ TEST(Draws, AreTheSameOnEveryMachineAndHaveTheirMoments) {
   for (const int times : count) EXPECT_NEAR(times, n / 6.0, 4 * std::sqrt(n * 5 / 36.0));
 }
 
+// A result that was tampered with asks for them.
+TEST(Distributions, AreNoNumberOutsideOfTheirArguments) {
+  EXPECT_TRUE(std::isnan(student_quantile(-1e308, 5)));
+  EXPECT_TRUE(std::isnan(chi_squared_quantile(2, 5)));
+  EXPECT_TRUE(std::isnan(normal_quantile(2)));
+}
+
 }  // namespace
 }  // namespace percal

@@ -54,7 +54,7 @@ TEST_F(Report, WithoutGnuplotThePointsAreInTables) {
 
 TEST_F(Report, WhatIsNoResultIsRefused) {
   const std::pair<std::string, std::string> cases[] = {
-      {write("a.json", "{\"schema\": 2"), "no JSON"},
+      {write("a.json", "{\"schema\": 2"), "not JSON"},
       {write("b.json", "[1]"), "JSON that is no object"},
       {write("c.json", "{}"), "schema: found nothing; accepted: 2"},
       {write("d.json", "{\"schema\": 1, \"command\": \"fit\"}"), "d.json: schema: found 1; accepted: 2"},
@@ -62,6 +62,11 @@ TEST_F(Report, WhatIsNoResultIsRefused) {
        "found nothing; accepted: a value, as every result of percal impact"},
       {write("f.json", "{\"schema\": 2, \"command\": \"cook\"}"),
        "command: found \"cook\"; accepted: a result of fit, scale"},
+      {write("g.json", "{\"schema\": 1e509}"), "g.json:1: found 1e509"},
+      {write("h.json", std::string(20000, '[')), "nested too deeply"},
+      {write("i.json",
+             R"({"schema": 2, "command": "fit", "input": )" + std::string(50000, '[') + std::string(50000, ']') + "}"),
+       "nested too deeply"},
       {path("nowhere.json"), "nowhere.json"}};
   for (const auto& [file, words] : cases) {
     const Ended ended = run({"report", file, "-o", "page.html"});

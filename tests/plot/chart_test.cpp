@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-
 namespace percal {
 namespace {
 
@@ -49,6 +48,29 @@ TEST(PlotOf, QuotesWhatGnuplotOrASpreadsheetWouldRead) {
   EXPECT_THAT(plot.script, HasSubstr("set title 'a''; system ''rm{/=40 x}' noenhanced\n"));
   EXPECT_THAT(plot.script, HasSubstr("title 'it''s \"1\"!rm'"));
   EXPECT_THAT(plot.csv, HasSubstr("\"it's \"\"1\"\"!rm\",1,1,,\n"));
+}
+
+// Spreadsheets run such cells.
+TEST(PlotOf, TheCsvHasNoCellThatASpreadsheetWouldRun) {
+  for (const char* name : {"=cmd|' /C calc'!A0", "+1", "-1", "@SUM(1)", " \t=1"}) {
+    const std::string csv = plot_of("x", chart_of({series(name, Mark::line, {1}, {1})})).csv;
+    EXPECT_THAT(csv, HasSubstr("\n\"'")) << name;
+  }
+  EXPECT_THAT(plot_of("x", chart_of({series("a-b", Mark::line, {1}, {-1})})).csv, HasSubstr("\n\"a-b\",1,-1,,\n"));
+}
+
+// gnuplot would look for tics without end.
+TEST(PlotOf, NumbersThatNoQuantityHasAreNotDrawn) {
+  Chart chart = chart_of({series("", Mark::line, {1, 2}, {1e-320, 1e-318})});
+  chart.y.logarithmic = true;
+  EXPECT_EQ(plot_of("x", chart).script, "");
+  chart.y.logarithmic = false;
+  EXPECT_THAT(plot_of("x", chart).script, HasSubstr("set yrange [-0.1:0.1]\n"));  // flat
+  chart.series[0].y = {1e300, 1e308};
+  EXPECT_EQ(plot_of("x", chart).script, "");
+  chart.series[0].y = {1, 2};
+  chart.y.low = -1e300;
+  EXPECT_THAT(plot_of("x", chart).script, HasSubstr("set yrange [0.97:2.03]\n"));
 }
 
 TEST(PlotOf, AChartWithoutAPointThatCanBeDrawnHasNoScript) {

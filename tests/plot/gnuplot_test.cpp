@@ -57,6 +57,11 @@ TEST_F(Gnuplot, TakesScriptsLongerThanAPipeHolds) {
 
 TEST_F(Gnuplot, APngIsAPng) { EXPECT_THAT(draw_png(parabola(4)).value(), StartsWith("\x89PNG")); }
 
+TEST_F(Gnuplot, StopsWhereADrawingDoesNotEnd) {
+  EXPECT_FALSE(
+      gnuplot("set print '-'\ndo for [i=1:100000000] { print 'a line that is written a hundred million times' }\n"));
+}
+
 TEST(GnuplotNotThere, DrawsNothing) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nowhere", 1);

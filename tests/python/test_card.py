@@ -36,6 +36,16 @@ class ACard(unittest.TestCase):
             file.flush()
             self.assertAlmostEqual(percal.read_card(file.name).mu / GEL.mu, 1, places=5)
 
+    def test_says_what_it_passed_over_and_does_not_know(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".inp") as file:
+            file.write("*MATERIAL, NAME=X\n*HYPERELASTIC, OGDEN, N=1\n0.1, 9., 0.\n*MULLINS EFFECT\n1, 2, 3\n")
+            file.flush()
+            with self.assertWarnsRegex(UserWarning, "passed over: .MULLINS EFFECT"):
+                card = percal.read_card(file.name, units="mm-t-s-MPa")
+        self.assertIsNone(card.density)
+        self.assertIsNone(card.bulk_modulus)
+        self.assertIn("density unknown", repr(card))
+
     def test_of_a_fit_takes_density_and_bulk_ratio(self):
         fit = percal.fit(np.linspace(0.8, 1.5, 8), percal.nominal_stress([(50e3, 3.0)], np.linspace(0.8, 1.5, 8)))
         card = percal.card_of(fit, name="gel", density=1010, bulk_to_shear=100)

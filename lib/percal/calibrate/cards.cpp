@@ -1,12 +1,13 @@
 #include "percal/calibrate/cards.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/fit/cards.hpp"
+#include "percal/scene/solver_words.hpp"
 #include "percal/units/quantity.hpp"
 
 namespace percal {
@@ -59,9 +60,12 @@ CardErosion erosion_of(const CalibrationJob& job, int material, const MaterialAt
 }
 
 // What a card of another program cannot say.
-std::vector<std::string> comments_of(const CalibrationJob& job, const Hypothesis& hypothesis, const MaterialAt& at) {
+std::vector<std::string> comments_of(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
+                                     const MaterialAt& at) {
   std::vector<std::string> comments{"calibrated by percal from " + job.title + ", hypothesis '" + hypothesis.name +
                                     "'"};
+  if (std::ranges::find(job.shots, material, &MeasuredShot::material) != job.shots.end())
+    comments.push_back("its runs had " + in_words(job.solver));
   if (at.erosion_length)
     comments.push_back(
         fmt::format("erosion was judged by the energy of a tension test to this strain, averaged over {}: "
@@ -89,6 +93,10 @@ std::string error_of(const HypothesisResult& result) {
   return shots == 0 ? "" : fmt::format("mean deviation {:.3g} % over the {} depths fitted", 100 * sum / shots, shots);
 }
 
+std::string contradiction_of(const Verdict& verdict) {
+  return verdict.agreement == DataAgreement::disagrees ? fmt::format("{}", fmt::join(verdict.sentences, " ")) : "";
+}
+
 }  // namespace
 
 std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const HypothesisResult& result) {
@@ -105,9 +113,10 @@ std::vector<CardMaterial> calibration_cards(const CalibrationJob& job, const Hyp
                       .terms = {{at.mu_true, at.alpha}},
                       .bulk_modulus = at.mu_true * bulk_ratio(job, static_cast<int>(m), at),
                       .erosion = erosion_of(job, static_cast<int>(m), at),
-                      .comments = comments_of(job, hypothesis, at),
+                      .comments = comments_of(job, hypothesis, static_cast<int>(m), at),
                       .intervals = intervals_of(job, result, material),
                       .fit_error = error_of(result),
+                      .contradiction = contradiction_of(result.verdict),
                       .data = data};
     cards.push_back(std::move(card));
   }

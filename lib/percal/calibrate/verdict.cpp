@@ -176,7 +176,8 @@ Verdict verdict_of(const CalibrationJob& job, int hypothesis, const JobModel& mo
     if (has_curves(job, m) && has_fitted_depths(job, fit, m))
       verdict.rate_factors.push_back(rate_factor(job, hypothesis, model, fit, m));
   if (verdict.rate_factors.empty())
-    verdict.sentences.push_back("No material has both a curve and fitted depths: there is nothing to contradict.");
+    verdict.sentences.push_back(
+        "Cannot tell: no material has both a curve and fitted depths, so that nothing can be contradicted.");
   else
     verdict.agreement = DataAgreement::agrees;
   for (const ImpliedRateFactor& rate : verdict.rate_factors) {

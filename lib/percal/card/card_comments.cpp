@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cctype>
+#include <cmath>
 
 #include "percal/base/version.hpp"
 #include "percal/card/card_text.hpp"
@@ -19,6 +20,12 @@ struct NamedMeasure {
 constexpr NamedMeasure measures[] = {{StrainMeasure::engineering, "engineering"},
                                      {StrainMeasure::true_strain, "true"},
                                      {StrainMeasure::green_lagrange, "Green-Lagrange"}};
+
+// What an erosion strain found in an impact asks of the model that it is used in.
+constexpr const char* impact_advice =
+    "for impacts: contact with all nodes of the zone that erodes as secondaries, not its surface alone, since elements "
+    "that go "
+    "lay others bare; no deletion of elements by their time step";
 
 const char* const counts[] = {"no", "one", "two", "three"};
 
@@ -65,6 +72,8 @@ std::vector<std::string> provenance(const CardMaterial& material) {
                         (alpha_known ? " (at this alpha)" : ""));
     }
   }
+  if (!material.contradiction.empty())
+    texts.push_back("WARNING: the data behind this card contradict each other: " + material.contradiction);
   if (!material.fit_error.empty()) texts.push_back("error of the fit: " + material.fit_error);
   for (const CardData& data : material.data) texts.push_back("data: " + data.file + ", SHA-256 " + data.sha256);
   return texts;
@@ -73,7 +82,6 @@ std::vector<std::string> provenance(const CardMaterial& material) {
 }  // namespace
 
 std::string card_comments(const CardDialect& dialect, const CardMaterial& material, const UnitSystem& units) {
-  const double ratio = material.bulk_modulus / shear_modulus(material);
   const std::size_t terms = material.terms.size();
   std::string text;
   const auto add = [&](const std::string& line) { text += comment_lines(dialect.prefix, line); };
@@ -93,11 +101,15 @@ std::string card_comments(const CardDialect& dialect, const CardMaterial& materi
                     formula(dialect.modulus), field, field / units.stress, units.stress_unit));
   }
   if (terms > 1) add(fmt::format("small-strain shear modulus: {:.9g} Pa", shear_modulus(material)));
-  add(fmt::format("bulk modulus K: {:.9g} Pa = {:.6g} mu; Poisson's ratio: {:.12g}", material.bulk_modulus, ratio,
-                  poisson_ratio(ratio)));
+  if (const double ratio = material.bulk_modulus / shear_modulus(material); std::isfinite(ratio))
+    add(fmt::format("bulk modulus K: {:.9g} Pa = {:.6g} mu; Poisson's ratio: {:.12g}", material.bulk_modulus, ratio,
+                    poisson_ratio(ratio)));
   add(dialect.volumetric + "; cards of different programs agree to first order in J - 1 only");
-  add(fmt::format("density: {:.9g} kg/m3", material.density));
-  if (material.erosion) add(element_size_of(*material.erosion));
+  if (std::isfinite(material.density)) add(fmt::format("density: {:.9g} kg/m3", material.density));
+  if (material.erosion) {
+    add(element_size_of(*material.erosion));
+    add(impact_advice);
+  }
   add(stability_of(material));
   return text + comment_lines(dialect.prefix, provenance(material)) + comment_lines(dialect.prefix, material.comments);
 }

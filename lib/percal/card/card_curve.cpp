@@ -37,7 +37,7 @@ std::vector<CurvePoint> card_curve(const CardMaterial& material, const CurveRang
 }
 
 std::string csv_card(const CardMaterial& material, const UnitSystem& units, const CurveRange& range) {
-  check(material, Place{});
+  check_solid(material, Place{});
   std::string text = card_comments(
       {"#", "mu_", CardModulus::mu, "no volumetric law: the stresses are those of the incompressible solid"}, material,
       units);

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "percal/base/version.hpp"
+#include "percal/text/json.hpp"
 
 namespace percal {
 namespace {
@@ -141,20 +141,9 @@ CardMaterial read_block(const Reader& card) {
   for (const Reader& comment : card.at("comments").entries(texts)) material.comments.push_back(comment.text(texts));
   material.intervals = intervals_of(card.at("intervals"));
   if (const Reader error = card.at("fit_error"); !error.absent()) material.fit_error = error.text("a sentence");
+  if (const Reader why = card.at("contradiction"); !why.absent()) material.contradiction = why.text("a sentence");
   for (const Reader& one : card.at("data").entries("an array of objects")) material.data.push_back(data_of(one));
   return material;
-}
-
-json parse(const std::string& text, const std::string& file) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-    throw BadInput(Place{file, line, ""}, "text that is not JSON", "a result.json of percal");
-  } catch (const json::exception& error) {  // a number beyond a double's range
-    throw BadInput(Place{file, 0, ""}, error.what(), "a result.json of percal");
-  }
 }
 
 // The card with this name; where there is only one, that one.
@@ -190,8 +179,18 @@ json card_to_json(const CardMaterial& material) {
   }
   if (material.intervals) card["intervals"] = intervals_to_json(*material.intervals);
   if (!material.fit_error.empty()) card["fit_error"] = material.fit_error;
+  if (!material.contradiction.empty()) card["contradiction"] = material.contradiction;
   for (const CardData& data : material.data) card["data"].push_back({{"file", data.file}, {"sha256", data.sha256}});
   return card;
+}
+
+json read_card_to_json(const ReadCard& read) {
+  return {{"card", card_to_json(read.found.material)},
+          {"solver", read.solver.empty() ? json(nullptr) : json(read.solver)},
+          {"units", read.units},
+          {"passed_over", read.found.ignored},
+          {"erodes_otherwise", read.found.erodes_otherwise},
+          {"warnings", read.warnings}};
 }
 
 json cards_to_json(const std::vector<CardMaterial>& materials) {
@@ -207,7 +206,7 @@ CardMaterial card_from_json(const json& card, const Place& place) {
 }
 
 CardMaterial card_of_result(const std::string& text, const std::string& file, const CardRequest& request) {
-  const json whole = parse(text, file);
+  const json whole = parse_json(text, file, "a result.json of percal");
   const Reader result{whole, {file, 0, ""}};
   const std::string accepted =
       "a card object: a result of percal identify, calibrate or fit of this version, or of percal card read --json";
@@ -222,12 +221,12 @@ CardMaterial card_of_result(const std::string& text, const std::string& file, co
   if (!request.name.empty()) material.name = request.name;
   if (request.density) material.density = *request.density;
   if (request.bulk_to_shear) material.bulk_modulus = *request.bulk_to_shear * shear_modulus(material);
-  if (std::isnan(material.density) || std::isnan(material.bulk_modulus))
+  if (request.complete && (std::isnan(material.density) || std::isnan(material.bulk_modulus)))
     card.at(std::isnan(material.density) ? "density_kg_m3" : "bulk_modulus_Pa")
         .refuse(
             "a number, or beside a fit, whose curves tell neither, --density \"1010 kg/m3\" and --bulk-to-shear NUMBER "
             "or --nu NUMBER");
-  check(material, card.place);
+  check_solid(material, card.place);
   return material;
 }
 

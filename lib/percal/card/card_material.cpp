@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "percal/material/plausible.hpp"
 #include "percal/text/sha256.hpp"
 
 namespace percal {
@@ -51,11 +52,25 @@ std::vector<CardData> card_data(const std::vector<std::string>& files) {
 
 double shear_modulus(const CardMaterial& material) { return small_strain_modulus({material.terms}); }
 
-void check(const CardMaterial& material, const Place& place) {
-  need_positive(material.density, place, "density_kg_m3", "density in kg/m3");
+void check_solid(const CardMaterial& material, const Place& place) {
+  if (!std::isnan(material.density)) need_positive(material.density, place, "density_kg_m3", "density in kg/m3");
   check_terms(material.terms, place);
-  need_positive(material.bulk_modulus, place, "bulk_modulus_Pa", "bulk modulus in Pa");
+  const double mu = shear_modulus(material), bulk = material.bulk_modulus;
+  need(std::isnan(bulk) || bulk > 2 * mu / 3, place, "bulk_modulus_Pa", bulk,
+       fmt::format("more than 2/3 mu, {:.6g} Pa: a Poisson's ratio above 0", 2 * mu / 3));
   if (material.erosion) need_positive(material.erosion->limit, place, "erosion.strain", "strain");
+}
+
+void check(const CardMaterial& material, const Place& place) {
+  check_solid(material, place);
+  need_positive(material.density, place, "density_kg_m3", "density in kg/m3");
+  need_positive(material.bulk_modulus, place, "bulk_modulus_Pa", "bulk modulus in Pa");
+}
+
+std::vector<std::string> implausible(const CardMaterial& material) {
+  auto sentences = implausible_modulus(shear_modulus(material));
+  for (const std::string& one : implausible_density(material.density)) sentences.push_back(one);
+  return sentences;
 }
 
 CardMaterial for_elements(const CardMaterial& material, double strain, double element, double radius,

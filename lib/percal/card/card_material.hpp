@@ -43,8 +43,9 @@ struct CardData {
 // The files that can be read, each once, without their folders.
 std::vector<CardData> card_data(const std::vector<std::string>& files);
 
-// Density and bulk modulus of a material of which only curves are known.
+// Density and bulk modulus of a material of which only curves are known; the bulk modulus of an incompressible one.
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double without_limit = std::numeric_limits<double>::infinity();
 
 // W = sum_k (2 mu_k/alpha_k^2) (sum_i lambda_bar_i^alpha_k - 3) + U(J), U ~ K (J - 1)^2 / 2 near J = 1.
 struct CardMaterial {
@@ -55,17 +56,24 @@ struct CardMaterial {
   std::optional<CardErosion> erosion = {};
   std::vector<std::string> comments = {};  // sources of the data, one text each; written as comment lines
   std::optional<CardIntervals> intervals = {};
-  std::string fit_error = {};  // a sentence; empty where it is not known
+  std::string fit_error = {};      // a sentence; empty where it is not known
+  std::string contradiction = {};  // why the data behind it contradict each other, a sentence; empty: they do not
   std::vector<CardData> data = {};
 };
 
 // The sum of all mu, Pa.
 double shear_modulus(const CardMaterial& material);
 
-// Throws BadInput for a number that no card can carry: not known, not finite, not positive, alpha = 0, no term or more than
-// three. A single mu may be negative where the sum is positive. The message names place.file and the key of the result file
-// ("card.mu_true_Pa" where place.key is "card").
+// Throws BadInput for a number that no solid has: not finite, not positive, alpha = 0, K of 2/3 mu or less (no rubber is auxetic), no
+// term or more than three. A single mu may be negative where the sum is positive; density and bulk modulus may be unknown, the latter
+// without limit. The message names place.file and the key of the result file ("card.mu_true_Pa" where place.key is "card").
+void check_solid(const CardMaterial& material, const Place& place);
+
+// As above, and for a density or bulk modulus that is not known or has no limit: a card carries both.
 void check(const CardMaterial& material, const Place& place);
+
+// Sentences about numbers that a unit system read wrongly makes: a modulus or density of no soft solid.
+std::vector<std::string> implausible(const CardMaterial& material);
 
 // The material with the erosion strain of other elements (side and radius in m), its interval by the same factor; `how` becomes a
 // comment. Of a material that erodes.

@@ -68,9 +68,25 @@ void add_term(CardMaterial& material, double modulus, double alpha, CardModulus 
   material.terms.push_back(term_of_field(modulus, alpha, meaning));
 }
 
+void set_bulk_modulus(CardMaterial& material, double d1, double stress_unit, const Place& place) {
+  if (!(d1 >= 0))
+    throw BadInput(place, fmt::format("{:.12g}", d1), "a positive number, or 0 where it is incompressible");
+  material.bulk_modulus = d1 > 0 ? 2 / d1 * stress_unit : without_limit;
+  if (d1 == 0) material.comments.push_back("incompressible: " + place.key + " = 0");
+}
+
 double ratio_of(double nu, const Place& place) {
-  if (!(nu > -1 && nu < 0.5)) throw BadInput(place, fmt::format("{:.12g}", nu), "a number between -1 and 0.5");
+  if (!(nu > 0 && nu < 0.5))
+    throw BadInput(place, fmt::format("{:.12g}", nu),
+                   nu < 0 ? "a number between 0 and 0.5: no rubber is auxetic (in some decks the sign is a flag)"
+                          : "a number between 0 and 0.5");
   return bulk_to_shear(nu);
+}
+
+std::string law_of(std::span<const LawSign> signs, const std::string& keyword) {
+  for (const LawSign& one : signs)
+    if (keyword.starts_with(one.sign)) return one.law;
+  return "";
 }
 
 }  // namespace percal

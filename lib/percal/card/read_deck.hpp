@@ -1,5 +1,6 @@
 // What the readers of cards share: an input deck as keywords with their data lines, and the numbers in it.
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,23 @@ double deck_number(const std::string& field, const Place& place);
 // a modulus with exponent 0, and for more than three terms.
 void add_term(CardMaterial& material, double modulus, double alpha, CardModulus meaning, const Place& place);
 
-// K/mu of Poisson's ratio. Throws BadInput outside -1 to 0.5.
+// K of D1 in U = (J - 1)^2/D1, with D1 over `stress_unit` in Pa; without limit for 0, which a comment of the material says then. Throws
+// BadInput for a negative D1.
+void set_bulk_modulus(CardMaterial& material, double d1, double stress_unit, const Place& place);
+
+// K/mu of Poisson's ratio. Throws BadInput outside 0 to 0.5: no rubber is auxetic, and some decks code a flag in the sign.
 double ratio_of(double nu, const Place& place);
+
+// What a keyword's law is called, by how the keyword begins; empty where no sign fits.
+struct LawSign {
+  const char* sign;
+  const char* law;
+};
+std::string law_of(std::span<const LawSign> signs, const std::string& keyword);
+
+inline constexpr const char* ogden_from_curve = "Ogden from a curve: fit the curve with percal fit";
+inline constexpr const char* rubber_from_curve = "a rubber from a curve: fit the curve with percal fit";
+inline constexpr const char* as_mooney_rivlin =
+    "Mooney-Rivlin: two Ogden terms, alpha 2 with mu = 2 C10 and alpha -2 with mu = 2 C01";
 
 }  // namespace percal

@@ -22,16 +22,25 @@ std::string names_of(const std::vector<FoundCard>& cards) {
   return names;
 }
 
+// "no Ogden material, but /MAT/LAW69 (line 1): Ogden from a curve: fit the curve with percal fit"
+std::string none_but(const std::vector<OtherMaterial>& others) {
+  std::string text = "no Ogden material";
+  for (const OtherMaterial& one : others)
+    text += fmt::format("{}{} (line {}){}", &one == &others.front() ? ", but " : "; ", one.keyword, one.line,
+                        one.law.empty() ? "" : ": " + one.law);
+  return text;
+}
+
 }  // namespace
 
 const std::vector<Solver>& solvers() {
   static const std::vector<Solver> all = {
       {"lsdyna", {"*MAT_", "*KEYWORD"}, lsdyna_card, read_lsdyna_cards, lsdyna_deck},
       {"abaqus", {"*MATERIAL", "*HYPERELASTIC"}, abaqus_card, read_abaqus_cards, abaqus_deck},
-      {"calculix", {}, calculix_card, read_abaqus_cards, calculix_deck},
+      {"calculix", {}, calculix_card, read_calculix_cards, calculix_deck},
       {"openradioss", {"/MAT/", "#RADIOSS"}, openradioss_card, read_openradioss_cards, openradioss_deck},
       {"febio", {"<MATERIAL", "<FEBIO_SPEC"}, febio_card, read_febio_cards, febio_deck},
-      {"ansys", {"TB,HYPER"}, ansys_card, read_ansys_cards, ansys_deck}};
+      {"ansys", {"TB,HYPE", "MPDATA,", "MP,"}, ansys_card, read_ansys_cards, ansys_deck}};
   return all;
 }
 
@@ -68,8 +77,10 @@ std::optional<UnitSystem> unit_system_of(const std::string& text) {
   }
 }
 
-FoundCard chosen_card(const std::vector<FoundCard>& cards, const std::string& name, const std::string& file) {
-  if (cards.empty()) throw BadInput(Place{file, 0, ""}, "no Ogden material", "a card with one");
+FoundCard chosen_card(const FoundMaterials& found, const std::string& name, const std::string& file) {
+  const auto& [cards, others] = found;
+  if (cards.empty())
+    throw BadInput(Place{file, others.empty() ? 0 : others.front().line, ""}, none_but(others), "a card with one");
   std::vector<FoundCard> chosen;
   for (const FoundCard& card : cards)
     if (name.empty() || card.material.name == name) chosen.push_back(card);
@@ -89,7 +100,11 @@ ReadCard read_card(const CardFile& card) {
   if (!units)
     throw BadInput({card.file, 0, "units"}, "no comment that names the unit system",
                    "the units of its numbers by name (--units), such as mm-t-s-MPa");
-  return {chosen_card(solver->read(card.text, card.file, *units), card.name, card.file), solver->word, units->name};
+  FoundCard found = chosen_card(solver->read(card.text, card.file, *units), card.name, card.file);
+  std::vector<std::string> warnings;
+  for (const std::string& one : implausible(found.material))
+    warnings.push_back(one + " They were read in " + units->name + ".");
+  return {std::move(found), solver->word, units->name, warnings};
 }
 
 }  // namespace percal

@@ -13,30 +13,6 @@
 namespace percal {
 namespace {
 
-// J U'(J)
-double volumetric_kirchhoff(double bulk_modulus, double J, SolverLaw law) {
-  switch (law) {
-    case SolverLaw::quadratic: return bulk_modulus * J * (J - 1);
-    case SolverLaw::logarithmic: return bulk_modulus * std::log(J);
-    case SolverLaw::difference: return bulk_modulus * (J - 1);
-  }
-  return 0;
-}
-
-// tau_1 - tau_2 of isochoric stretches s and s^(-1/2): sum (2 mu/alpha) (s^alpha - s^(-alpha/2)), s = lambda J^(-1/3).
-double kirchhoff_difference(const CardMaterial& material, double stretch, double log_J) {
-  const double log_s = std::log(stretch) - log_J / 3;
-  double sum = 0;
-  for (const Ogden& term : material.terms) sum += cauchy_difference(term, log_s, -log_s / 2);
-  return sum;
-}
-
-// tau_2 = J U' - (tau_1 - tau_2)/3: grows with J, from below 0 to above.
-double side_stress(const CardMaterial& material, double stretch, double log_J, SolverLaw law) {
-  return volumetric_kirchhoff(material.bulk_modulus, std::exp(log_J), law) -
-         kirchhoff_difference(material, stretch, log_J) / 3;
-}
-
 std::string word(SolverLaw law) {
   if (law == SolverLaw::quadratic) return "U = K (J - 1)^2 / 2";
   return law == SolverLaw::logarithmic ? "U = K (ln J)^2 / 2" : "U = K (J - 1 - ln J)";
@@ -50,20 +26,28 @@ std::string expectation(const DeckOrder& order, double stretch, SolverLaw law) {
                      incompressible_uniaxial_stress(order.material, stretch) / units.stress, units.stress_unit);
 }
 
-// Where the largest principal stretch of the test, that of the sides in compression, passes the card's limit; empty
-// where it does not.
-std::string erosion_comment(const DeckOrder& order) {
+// Where the largest principal stretch of the test passes the card's limit, or that it does not although it would without a change of
+// volume; empty where neither does.
+std::string erosion_comment(const DeckOrder& order, SolverLaw law) {
   if (!order.material.erosion) return "";
   const double limit = stretch_at(order.material.erosion->limit, order.material.erosion->measure);
   const double end = order.test.stretch;
-  if (std::max(end, 1 / std::sqrt(end)) < limit) return "";
+  const std::string start = fmt::format("the material erodes at a largest principal stretch of {:.6g}", limit);
+  if (const auto gone = stretch_where_largest_is(limit, order.material, end, law))
+    return fmt::format(
+        "{}: where the card below says so to the program, the element goes at stretch {:.6g}, and the force is 0 after "
+        "that",
+        start, *gone);
+  const double incompressible = 1 / (limit * limit);
+  if (end > incompressible) return "";
   return fmt::format(
-      "the material erodes at a largest principal stretch of {:.6g}: where the card below says so to the program, the "
-      "element goes at stretch {:.6g}, and the force is 0 after that",
-      limit, end > 1 ? limit : 1 / (limit * limit));
+      "{}, which is not reached: with this K the sides come to {:.6g}, so that the element stays (without a change of "
+      "volume it would go at stretch {:.6g})",
+      start, side_stretch(order.material, end, law), incompressible);
 }
 
-constexpr std::size_t job_characters = 40, least_job_characters = 4;  // OpenRadioss wants four
+constexpr std::size_t job_characters = 40;
+constexpr const char* usual_job = "uniaxial";
 constexpr int most_increments = 10000;
 
 void check_test(const UniaxialTest& test) {
@@ -78,21 +62,6 @@ void check_test(const UniaxialTest& test) {
 }
 
 }  // namespace
-
-double uniaxial_stress(const CardMaterial& material, double stretch, SolverLaw law) {
-  double low = 0, high = 0;  // ln J
-  for (double step = 1e-3; side_stress(material, stretch, low, law) > 0 && step < 10; step *= 2) low -= step;
-  for (double step = 1e-3; side_stress(material, stretch, high, law) < 0 && step < 10; step *= 2) high += step;
-  for (int halving = 0; halving < 100; ++halving) {
-    const double middle = (low + high) / 2;
-    (side_stress(material, stretch, middle, law) < 0 ? low : high) = middle;
-  }
-  return kirchhoff_difference(material, stretch, (low + high) / 2) / stretch;
-}
-
-double incompressible_uniaxial_stress(const CardMaterial& material, double stretch) {
-  return kirchhoff_difference(material, stretch, 0) / stretch;
-}
 
 std::array<CubeNode, 8> cube_nodes(double edge) {
   return {{{1, 0, 0, 0},
@@ -130,7 +99,7 @@ std::string deck_comments(const DeckOrder& order, double edge, SolverLaw law, co
                   "displacement over {:g} {}",
                   listed(face_x1, ", "), edge * edge, order.units.length_unit, edge, order.units.length_unit),
       expectation(order, end, law), expectation(order, (1 + end) / 2, law)};
-  const std::string erosion = erosion_comment(order);
+  const std::string erosion = erosion_comment(order, law);
   if (!erosion.empty()) comments.push_back(erosion);
   return comment_lines(prefix, comments) + comment_lines(prefix, of_solver);
 }
@@ -151,14 +120,30 @@ std::string deck_job(const std::string& file) {
     const bool kept = byte < 128 && (std::isalnum(byte) || (letter == '-' && !name.ends_with('-')));
     name += kept ? letter : '_';
   }
-  while (name.size() < least_job_characters) name += '_';
   return name;
 }
 
+std::string deck_name(const DeckOrder& order, const std::string& ending) {
+  return order.file.empty() ? order.job + ending : order.file;
+}
+
+std::string as_argument(const std::string& file) {
+  const bool plain = std::ranges::all_of(file, [](unsigned char letter) {
+    return std::isalnum(letter) || letter == '.' || letter == '_' || letter == '-' || letter >= 128;
+  });
+  return plain && !file.starts_with('-') ? file : "\"" + file + "\"";
+}
+
 std::vector<DeckFile> uniaxial_deck(const Solver& solver, const CardMaterial& material, const UnitSystem& units,
-                                    const UniaxialTest& test, const std::string& job) {
+                                    const UniaxialTest& test, const std::string& file) {
   check_test(test);
-  return solver.deck({material, units, test, deck_job(job), solver.card(material, units)});
+  const std::filesystem::path path(file.empty() ? usual_job : file);
+  return solver.deck({.material = material,
+                      .units = units,
+                      .test = test,
+                      .job = deck_job(path.string()),
+                      .file = path.has_extension() ? path.filename().string() : "",
+                      .card = solver.card(material, units)});
 }
 
 }  // namespace percal

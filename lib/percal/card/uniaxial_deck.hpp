@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "percal/card/card_material.hpp"
+#include "percal/card/uniaxial_stress.hpp"
 #include "percal/card/unit_system.hpp"
 
 namespace percal {
@@ -19,21 +20,21 @@ struct UniaxialTest {
 };
 
 struct DeckFile {
-  std::string name;  // "skin.inp", "skin_0000.rad": the job and what the program wants after it
+  std::string name;  // "skin.inp", "skin_0000.rad": as the user says, or the job and what the program wants after it
   std::string text;
 };
 
-// The deck, one file for every program but OpenRadioss, which takes a starter and an engine file. `job` names the run
-// and the program's output files; it is made fit by deck_job(). The deck asks for reaction force and displacement at
+// The deck, one file for every program but OpenRadioss, which takes a starter and an engine file. `file` is its name, with or without
+// folder and ending, and names the run and the program's output files (deck_job()); empty: "uniaxial". The deck asks for reaction force and displacement at
 // every step, contains the solver's card as it stands, and opens with comments that say what to read off and which
 // nominal stress to expect, in the deck's units. The cube's edge is one length unit; for CalculiX it may be ten or more
 // (docs/formats/decks.md).
 // Throws BadInput as the solver's card does, and for a test out of range (keys "--stretch", "--increments").
 std::vector<DeckFile> uniaxial_deck(const Solver& solver, const CardMaterial& material, const UnitSystem& units,
-                                    const UniaxialTest& test, const std::string& job);
+                                    const UniaxialTest& test, const std::string& file);
 
 // The name of a run from the name of a file, "cards/skin test.k" -> "skin_test": without folder, extension and
-// "_0000", at most 40 characters, letters, digits, '_' and single '-' only, at least four long ('_' is added).
+// "_0000", at most 40 characters, letters, digits, '_' and single '-' only.
 std::string deck_job(const std::string& file);
 
 // For the solvers that write it.
@@ -44,6 +45,7 @@ struct DeckOrder {
   const UnitSystem& units;
   UniaxialTest test;
   std::string job;
+  std::string file;  // of the deck, without its folder; empty: the job and the program's own ending
   std::string card;
 };
 
@@ -64,14 +66,12 @@ inline constexpr Face face_x0{1, 4, 5, 8}, face_y0{1, 2, 5, 6}, face_z0{1, 2, 3,
 std::string listed(const Face& face, const std::string& separator);
 std::vector<std::string> fields_of(const Face& face);
 
+// The name of the deck's file, and a name as an argument of a shell.
+std::string deck_name(const DeckOrder& order, const std::string& ending);
+std::string as_argument(const std::string& file);
+
 // Displacement of the face x1 at the end, in length units of the deck.
 double final_displacement(const DeckOrder& order, double edge);
-
-// U(J), each K (J - 1)^2 / 2 near J = 1:
-//   quadratic    K (J - 1)^2 / 2     Abaqus, CalculiX, Ansys (D1 = 2/K), OpenRadioss LAW42
-//   logarithmic  K (ln J)^2 / 2      FEBio
-//   difference   K (J - 1 - ln J)    LS-DYNA
-enum class SolverLaw { quadratic, logarithmic, difference };
 
 // The comments that a deck opens with, a paragraph each: the cube, what to read off, the nominal stress to expect at
 // the end and halfway (at the card's bulk modulus with `law`, and incompressible), where the card's erosion takes
@@ -82,12 +82,5 @@ std::string deck_comments(const DeckOrder& order, double edge, SolverLaw law, co
 // What stands in `card` after `start` up to one of `ends` or the end of the line: the name or number by which a deck
 // refers to the material. Empty where there is no `start`.
 std::string text_after(const std::string& card, const std::string& start, const std::string& ends);
-
-// Nominal stress of the material in this test at its own bulk modulus, Pa. The sides are free: J solves sigma_2(J) = 0 by
-// bisection in ln J. Needs a stretch > 0 and a material that check() takes.             docs/formats/decks.md
-double uniaxial_stress(const CardMaterial& material, double stretch, SolverLaw law);
-
-// K without end. Pa.
-double incompressible_uniaxial_stress(const CardMaterial& material, double stretch);
 
 }  // namespace percal

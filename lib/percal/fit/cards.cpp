@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "percal/units/words.hpp"
+
 namespace percal {
 namespace {
 
@@ -33,6 +35,15 @@ std::optional<CardIntervals> intervals_of(const Uncertainty& uncertainty) {
   return intervals;
 }
 
+// The values that rows were chosen by, "fit" where there are none.
+std::string name_of(const std::vector<std::string>& where) {
+  std::vector<std::string> values;
+  for (const std::string& condition : where)
+    if (const auto equals = condition.find('='); equals != std::string::npos)
+      values.push_back(trimmed(condition.substr(equals + 1)));
+  return values.empty() ? "fit" : listed(values);
+}
+
 }  // namespace
 
 CardInterval card_interval(const std::string& parameter, const Interval& interval) {
@@ -42,16 +53,18 @@ CardInterval card_interval(const std::string& parameter, const Interval& interva
   return {parameter, end(interval.low, interval.low_open), end(interval.high, interval.high_open)};
 }
 
-std::vector<CardMaterial> fit_cards(const CurveData& data, const CurveFit& fit, const Uncertainty& uncertainty) {
+std::vector<CardMaterial> fit_cards(const CurveData& data, const CurveFit& fit, const Uncertainty& uncertainty,
+                                    const std::vector<std::string>& where) {
   if (fit.minima.empty()) return {};
   const CurveMinimum& best = fit.minima.front();
   std::vector<std::string> files;
   for (const CurveSource& source : data.sources) files.push_back(source.file);
-  CardMaterial card{.name = "fit",
+  CardMaterial card{.name = name_of(where),
                     .terms = best.solid.terms,
                     .comments = {"fitted by percal: model " + word(fit.options.model)},
                     .intervals = intervals_of(uncertainty),
                     .data = card_data(files)};
+  if (!where.empty()) card.comments.push_back("rows where " + listed(where));
   if (best.r2 && std::isfinite(*best.r2))
     card.fit_error =
         fmt::format("R^2 {:.6g} in stress, residual {}, {} points", *best.r2, word(fit.options.residual), fit.points);

@@ -12,8 +12,7 @@
 namespace percal {
 namespace {
 
-constexpr double softest = 10, stiffest = 10e9;  // Pa; below are foams of cells and above is bone
-constexpr double percent_likely = 5;             // a strain; the best rubbers break at about 7
+constexpr double percent_likely = 5;  // a strain; the best rubbers break at about 7
 constexpr double longest_stretch = 10;
 constexpr double noise = 0.01;  // of the largest stress: signs below it mean nothing
 
@@ -86,12 +85,6 @@ std::vector<std::string> implausible(const CsvTable& table, const FoundColumns& 
                       "has: check the signs.",
                       table.file, count, points.size(), side, sign));
   return sentences;
-}
-
-std::vector<std::string> implausible_modulus(double mu) {
-  if (mu >= softest && mu <= stiffest) return {};
-  return {fmt::format("mu = {} is {} than any soft solid (10 Pa to 10 GPa): check the unit of the stress.",
-                      page::quantity(mu, dimension::pressure), mu < softest ? "softer" : "stiffer")};
 }
 
 }  // namespace percal

@@ -23,7 +23,4 @@ void turn_compression(CurveNumbers& numbers, const CsvTable& table, const FoundC
 std::vector<std::string> implausible(const CsvTable& table, const FoundColumns& found, const std::vector<double>& given,
                                      const std::vector<StressPoint>& points);
 
-// Of a small-strain shear modulus in Pa; empty between 10 Pa and 10 GPa.
-std::vector<std::string> implausible_modulus(double mu);
-
 }  // namespace percal

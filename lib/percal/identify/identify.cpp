@@ -5,6 +5,7 @@
 
 #include "percal/identify/identification.hpp"
 #include "percal/identify/run_sizes.hpp"
+#include "percal/scene/solver_words.hpp"
 
 namespace percal {
 namespace {
@@ -158,6 +159,7 @@ CardMaterial card_of(const IdentifyJob& job, const Identification& found, const 
                     .intervals = intervals_of(*found.tissue.erosion),
                     .data = data};
   card.comments.push_back("identified by percal from " + job.title);
+  card.comments.push_back("its runs had " + in_words(job.solver));
   if (found.alpha_scan) {
     card.fit_error =
         fmt::format("depths at the known pairs differ by {:.1f} % in the mean", 100 * found.alpha_scan->score);
@@ -181,7 +183,7 @@ Scene identified_scene(const IdentifyJob& job, const Identification& found) {
 
 Identification identify(const IdentifyJob& job, Campaign& campaign,
                         const std::function<void(const ComparedNumbers&)>& announce) {
-  largest_run(job);                                // throws where it cannot be run
+  largest_run(job);                                 // throws where it cannot be run
   const std::vector<CardData> data = data_of(job);  // now: files may be changed while runs take their time
   Identification found;
   const auto finish = [&](ComparedNumbers table) {

@@ -4,7 +4,7 @@
 namespace percal {
 
 // The value below which the share p of the distribution lies, 0 < p < 1. Degrees of freedom are positive, not necessarily whole;
-// those of Student's t and the second of F may be infinite.
+// those of Student's t and the second of F may be infinite. NaN for other arguments.
 double normal_quantile(double p);
 double student_quantile(double p, double degrees_of_freedom);
 double chi_squared_quantile(double p, double degrees_of_freedom);

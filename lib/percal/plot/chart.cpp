@@ -14,7 +14,13 @@ namespace {
 // Lists may be shorter than x: what is not there is no number.
 double at(const std::vector<double>& values, std::size_t i) { return i < values.size() ? values[i] : NAN; }
 
-bool can_be_drawn(double value, const Axis& axis) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
+// Beyond, gnuplot's tics never end; no quantity goes there.
+constexpr double smallest_drawn = 1e-100, largest_drawn = 1e100;
+constexpr double flat = 1e-12;  // a span, over the largest value: numbers that differ by rounding
+
+bool can_be_drawn(double value, const Axis& axis) {
+  return std::abs(value) <= largest_drawn && (!axis.logarithmic || value >= smallest_drawn);
+}
 
 // --- axes -------------------------------------------------------------------------------------------------------
 
@@ -36,11 +42,15 @@ Extent with_room(Extent extent, const Axis& axis) {
     const double room = std::max(std::pow(extent.high / extent.low, 0.04), 1.1);
     extent = {extent.low / room, extent.high * room};
   } else {
-    const double span = extent.high - extent.low;
-    const double room = span > 0 ? 0.03 * span : std::max(std::abs(extent.high), 1.0) * 0.1;
+    const double span = extent.high - extent.low, size = std::max(std::abs(extent.low), std::abs(extent.high));
+    const double room = span > std::max(flat * size, smallest_drawn) ? 0.03 * span : std::max(size, 1.0) * 0.1;
     extent = {extent.low - room, extent.high + room};
   }
-  return {axis.low.value_or(extent.low), axis.high.value_or(extent.high)};
+  const auto own_or = [&](const std::optional<double>& own, double found) {
+    return own && can_be_drawn(*own, axis) ? *own : found;
+  };
+  const Extent own{own_or(axis.low, extent.low), own_or(axis.high, extent.high)};
+  return own.high - own.low > flat * std::abs(own.high) ? own : extent;
 }
 
 Extent extent_of_x(const Chart& chart) {

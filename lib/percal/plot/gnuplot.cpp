@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -54,15 +56,25 @@ int file_with(const std::string& script) {
   return file;
 }
 
-std::string take_all(Pipe& pipe) {
+// A drawing is some hundred kilobytes and takes a second.
+constexpr std::size_t largest_drawing = 32 << 20;  // bytes
+constexpr int longest_silence = 60'000;            // ms
+
+// Everything that is written to the pipe; nothing where that is too much or does not come.
+std::optional<std::string> take_all(Pipe& pipe) {
   pipe.close_end(1);
   std::string text;
-  std::array<char, 4096> buffer;
-  for (ssize_t got; (got = read(pipe.end(0), buffer.data(), buffer.size())) != 0;) {
-    if (got < 0 && errno != EINTR) break;
+  std::array<char, 65536> buffer;
+  while (text.size() <= largest_drawing) {
+    pollfd waiting{pipe.end(0), POLLIN, 0};
+    const int ready = poll(&waiting, 1, longest_silence);
+    if (ready == 0) return std::nullopt;
+    const ssize_t got = ready < 0 ? -1 : read(pipe.end(0), buffer.data(), buffer.size());
+    if (got == 0) return text;
+    if (got < 0 && errno != EINTR) return std::nullopt;
     if (got > 0) text.append(buffer.data(), static_cast<std::size_t>(got));
   }
-  return text;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -83,12 +95,13 @@ std::optional<std::string> gnuplot(const std::string& script) {
   posix_spawn_file_actions_destroy(&actions);
   close(input);
   if (result != 0) return std::nullopt;
-  const std::string text = take_all(out);
+  const auto text = take_all(out);
+  if (!text) kill(child, SIGKILL);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  const bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !text.empty();
-  return done ? std::optional(text) : std::nullopt;
+  const bool done = text && WIFEXITED(status) && WEXITSTATUS(status) == 0 && !text->empty();
+  return done ? text : std::nullopt;
 }
 
 std::optional<std::string> draw_svg(const Plot& plot, const Canvas& canvas, const std::string& prefix) {

@@ -17,6 +17,10 @@ std::string between(char quote, const std::string& text) {
 }  // namespace
 
 std::string gnuplot_quoted(const std::string& text) { return between('\'', text); }
-std::string csv_quoted(const std::string& text) { return between('"', text); }
+std::string csv_quoted(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool formula = first != std::string::npos && std::string("=+-@").find(text[first]) != std::string::npos;
+  return between('"', formula ? "'" + text : text);
+}
 
 }  // namespace percal

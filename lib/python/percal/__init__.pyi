@@ -205,10 +205,10 @@ def identify(
 
 class CardMaterial:
     name: str
-    density: float
+    density: float | None
     mu: float
     alpha: float | None
-    bulk_modulus: float
+    bulk_modulus: float | None
     erosion_strain: float | None
     erosion_measure: str
     comments: list[str]
@@ -217,10 +217,10 @@ class CardMaterial:
     def __init__(
         self,
         name: str,
-        density: float,
+        density: float | None,
         mu: float,
         alpha: float | None,
-        bulk_modulus: float,
+        bulk_modulus: float | None,
         erosion_strain: float | None = None,
         erosion_measure: str = "engineering",
         comments: list[str] = ...,

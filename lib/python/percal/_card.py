@@ -2,6 +2,7 @@
 
 import json
 import os
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -18,10 +19,10 @@ class CardMaterial:
     they stand in a result's card object."""
 
     name: str
-    density: float
+    density: float | None
     mu: float
     alpha: float | None
-    bulk_modulus: float
+    bulk_modulus: float | None
     erosion_strain: float | None = None
     erosion_measure: str = "engineering"
     comments: list = field(default_factory=list)
@@ -46,7 +47,7 @@ class CardMaterial:
             erosion.get("measure", "engineering"),
             list(card.get("comments", [])),
             terms,
-            {key: card[key] for key in ("intervals", "fit_error", "data") if card.get(key)},
+            {key: card[key] for key in ("intervals", "fit_error", "contradiction", "data") if card.get(key)},
         )
 
     def _json(self):
@@ -68,10 +69,11 @@ class CardMaterial:
 
     def __repr__(self):
         erosion = "" if self.erosion_strain is None else f", erosion strain {self.erosion_strain:.4g} {self.erosion_measure}"
+        density = "density unknown" if self.density is None else f"{self.density:g} kg/m3"
         alpha = f"{len(self.terms)} terms" if self.alpha is None else f"alpha = {self.alpha:.4g}"
         return (
             f"CardMaterial({self.name}: mu = {with_unit(self.mu, 'Pa')}, {alpha}, "
-            f"K = {with_unit(self.bulk_modulus, 'Pa')}, {self.density:g} kg/m3{erosion})"
+            f"K = {with_unit(self.bulk_modulus, 'Pa')}, {density}{erosion})"
         )
 
 
@@ -104,10 +106,14 @@ def write_card(material, solver, units="si"):
 
 
 def read_card(path, solver=None, units=None):
-    """The material of a card's file. solver and units: found in the text where a card says them."""
+    """The material of a card's file. solver and units: found in the text where a card says them. What of the card was passed
+    over, and numbers that wrong units make, are warnings; density and bulk_modulus are None where the card does not say them."""
     path = os.fspath(path)
     with open(path, encoding="utf-8", errors="replace") as file:
-        return CardMaterial._of(json.loads(_core.read_card(file.read(), path, solver, units)))
+        read = json.loads(_core.read_card(file.read(), path, solver, units))
+    for text in read["warnings"] + ["passed over: " + one for one in read["passed_over"]]:
+        warnings.warn(f"{path}: {text}", stacklevel=2)
+    return CardMaterial._of(read["card"])
 
 
 def card_curve(material, stretch, mode="uniaxial"):

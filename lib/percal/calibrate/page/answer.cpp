@@ -59,8 +59,11 @@ std::vector<Found> headline_of(const Json& result, const Json& hypothesis) {
 }
 
 std::string agreement_words(const Json& hypothesis) {
-  const std::string agreement = text(at(hypothesis, "verdict"), "agreement");
+  const Json& verdict = at(hypothesis, "verdict");
+  const std::string agreement = text(verdict, "agreement");
   if (agreement == word(DataAgreement::agrees)) return "The data agree";
+  if (agreement == word(DataAgreement::cannot_tell) && list(verdict, "rate_factors").empty())
+    return "There are no curve and depths of one material to contradict each other";
   return agreement == word(DataAgreement::disagrees) ? "The data contradict each other or the model"
                                                      : "Whether the data agree cannot be told";
 }
@@ -137,18 +140,27 @@ Section asked_section(const Json& result) {
   return section;
 }
 
-// What each hypothesis makes of the data, before any number.
+// What each hypothesis makes of the data, before any number: a sentence of several of them once, with their numbers.
 Section verdict_section(const Json& result) {
   const Json& hypotheses = list(result, "hypotheses");
   Section section{.id = "verdict", .title = "Do the data agree?", .blocks = {}, .detail = Detail::answer};
+  std::vector<std::pair<std::string, std::string>> sentences;  // and under which hypotheses
+  bool disagrees = false;
   for (std::size_t n = 0; n < hypotheses.size(); ++n) {
     const Json& verdict = at(hypotheses[n], "verdict");
-    const std::string agreement = text(verdict, "agreement");
-    std::vector<std::string> items = texts(at(verdict, "sentences"));
-    if (hypotheses.size() > 1)
-      for (std::string& item : items) item = fmt::format("{}, {}: {}", n + 1, agreement, item);
-    add(section, List{items, agreement == word(DataAgreement::disagrees) ? Tone::warning : Tone::plain});
+    disagrees |= text(verdict, "agreement") == word(DataAgreement::disagrees);
+    for (const std::string& sentence : texts(at(verdict, "sentences"))) {
+      const auto said = std::ranges::find(sentences, sentence, &std::pair<std::string, std::string>::first);
+      if (said == sentences.end())
+        sentences.emplace_back(sentence, fmt::format("{}", n + 1));
+      else
+        said->second += fmt::format(", {}", n + 1);
+    }
   }
+  List all{.items = {}, .tone = disagrees ? Tone::warning : Tone::plain};
+  for (const auto& [sentence, under] : sentences)
+    all.items.push_back(hypotheses.size() > 1 ? fmt::format("under {}: {}", under, sentence) : sentence);
+  add(section, std::move(all));
   return section;
 }
 

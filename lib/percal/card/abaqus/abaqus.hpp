@@ -4,6 +4,9 @@
 
 namespace percal {
 
+// CalculiX takes a smaller D1 for 0, whatever the units.
+inline constexpr double calculix_least_d1 = 1e-10;
+
 // mu and alpha of every term, D1 = 2/K (and zeros for D2, D3), fields of at most 20 characters. It has no erosion: a comment
 // says so and gives the stretch at which elements should go.
 std::string abaqus_card(const CardMaterial& material, const UnitSystem& units);
@@ -12,8 +15,10 @@ std::string abaqus_card(const CardMaterial& material, const UnitSystem& units);
 // units (key "units"): CalculiX would take it for 0.
 std::string calculix_card(const CardMaterial& material, const UnitSystem& units);
 
-// Of both, without erosion and comments. Keywords that belong to no hyperelastic material are passed over.
-std::vector<FoundCard> read_abaqus_cards(const std::string& text, const std::string& file, const UnitSystem& units);
+// Of both, without erosion and comments; one material for each temperature. Where D1 is 0 (or below 1e-10) Abaqus takes the solid as
+// incompressible, CalculiX puts 0.1/mu in its place.
+FoundMaterials read_abaqus_cards(const std::string& text, const std::string& file, const UnitSystem& units);
+FoundMaterials read_calculix_cards(const std::string& text, const std::string& file, const UnitSystem& units);
 
 // The same model, each with its own element, step and output.
 std::vector<DeckFile> abaqus_deck(const DeckOrder& order);

@@ -9,6 +9,8 @@
 namespace percal {
 namespace {
 
+constexpr const char* ending = ".inp";
+
 // CalculiX takes residual forces below 1e-6 for 0, in any units. With forces of 1e3 and more that is no limit.
 constexpr double calculix_least_force = 1e3;
 
@@ -32,6 +34,12 @@ std::string moved_face(const DeckOrder& order, double edge) {
   return "*BOUNDARY\nX1, 1, 1, " + number_field(final_displacement(order, edge)) + "\n";
 }
 
+// ccx reads NAME.inp only, and names its own files NAME.
+std::string calculix_run(const DeckOrder& order) {
+  const std::string own = order.job + ending, file = deck_name(order, ending);
+  return (file == own ? "" : "cp " + as_argument(file) + " " + own + "; ") + "ccx " + order.job;
+}
+
 // A power of ten, at least 1, with mu edge^2 >= calculix_least_force.
 double calculix_edge(const DeckOrder& order) {
   const double mu = shear_modulus(order.material) / order.units.stress;
@@ -44,20 +52,21 @@ std::vector<DeckFile> abaqus_deck(const DeckOrder& order) {
   const double edge = 1;
   const int steps = order.test.increments;
   std::string text = "*HEADING\nuniaxial test of one element\n";
-  text +=
-      deck_comments(order, edge, SolverLaw::quadratic, "**",
-                    {"run: abaqus job=" + order.job + " interactive; " + order.job +
-                         ".dat then has the sum of RF1 over X1 and U1 at every increment",
-                     "C3D8H: displacement and pressure are interpolated apart, so that a large K/mu neither locks the "
-                     "element nor spoils the pressure",
-                     "time runs from 0 to the number of increments; *CONTROLS: residual and correction to 1e-6"});
+  text += deck_comments(
+      order, edge, SolverLaw::quadratic, "**",
+      {"run: abaqus job=" + order.job +
+           (deck_name(order, ending) == order.job + ending ? "" : " input=" + as_argument(deck_name(order, ending))) +
+           " interactive; " + order.job + ".dat then has the sum of RF1 over X1 and U1 at every increment",
+       "C3D8H: displacement and pressure are interpolated apart, so that a large K/mu neither locks the "
+       "element nor spoils the pressure",
+       "time runs from 0 to the number of increments; *CONTROLS: residual and correction to 1e-6"});
   text += model(order, "C3D8H", edge);
   text += fmt::format("*STEP, NLGEOM=YES, INC={}\n*STATIC\n1., {}., 1e-3, 1.\n", 100 * steps, steps);
   text += "*CONTROLS, PARAMETERS=FIELD, FIELD=DISPLACEMENT\n1e-6, 1e-6\n";
   text += moved_face(order, edge);
   text += "*NODE PRINT, NSET=X1, TOTALS=YES, FREQUENCY=1\nRF1\n*NODE PRINT, NSET=X1, FREQUENCY=1\nU1\n";
   text += "*OUTPUT, FIELD, VARIABLE=PRESELECT\n*OUTPUT, HISTORY, FREQUENCY=1\n*NODE OUTPUT, NSET=X1\nRF1, U1\n";
-  return {{order.job + ".inp", text + "*END STEP\n"}};
+  return {{deck_name(order, ending), text + "*END STEP\n"}};
 }
 
 std::vector<DeckFile> calculix_deck(const DeckOrder& order) {
@@ -66,7 +75,7 @@ std::vector<DeckFile> calculix_deck(const DeckOrder& order) {
   std::string text = "*HEADING\nuniaxial test of one element\n";
   text += deck_comments(
       order, edge, SolverLaw::quadratic, "**",
-      {"run: ccx " + order.job + "; " + order.job +
+      {"run: " + calculix_run(order) + "; " + order.job +
            ".dat then has, at every increment, the total force on X1 and the displacements of its nodes",
        "*STATIC, DIRECT: increments of fixed size, time runs from 0 to their number; *CONTROLS: residual and "
        "correction to 1e-7 of the mean force and of the increment (CalculiX's own 0.5 % and 1 % left errors of up to "
@@ -78,7 +87,7 @@ std::vector<DeckFile> calculix_deck(const DeckOrder& order) {
   text += "*CONTROLS, PARAMETERS=FIELD\n1.e-7, 1.e-7\n";
   text += moved_face(order, edge);
   text += "*NODE PRINT, NSET=X1, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=X1\nU\n";
-  return {{order.job + ".inp", text + "*END STEP\n"}};
+  return {{deck_name(order, ending), text + "*END STEP\n"}};
 }
 
 }  // namespace percal

@@ -8,8 +8,9 @@ namespace percal {
 // comment says so.
 std::string ansys_card(const CardMaterial& material, const UnitSystem& units);
 
-// The materials of such commands. Names are in comments "! name: ..." or "material N".
-std::vector<FoundCard> read_ansys_cards(const std::string& text, const std::string& file, const UnitSystem& units);
+// The materials of such commands, of which four letters tell the name, and of CDB files; one for each temperature. Names are in
+// comments "! name: ..." or "material N".
+FoundMaterials read_ansys_cards(const std::string& text, const std::string& file, const UnitSystem& units);
 
 // One SOLID185, a static analysis, and a table of stretch and nominal stress.
 std::vector<DeckFile> ansys_deck(const DeckOrder& order);

@@ -4,12 +4,12 @@
 
 namespace percal {
 
-// The sections, to stand inside <febio_spec version="4.0">: c1 = 2 mu, m1 = alpha, k = K. Erosion by a mesh adaptor on the
-// first principal Green-Lagrange strain.
+// The sections, to stand inside <febio_spec version="4.0">, MeshAdaptor after Mesh: c1 = 2 mu, m1 = alpha, k = K. Erosion by a mesh
+// adaptor on the first principal Green-Lagrange strain, of the <Elements> block with the material's name.
 std::string febio_card(const CardMaterial& material, const UnitSystem& units);
 
 // The materials "Ogden" and "Ogden unconstrained" of such sections or of a whole FEBio file.
-std::vector<FoundCard> read_febio_cards(const std::string& text, const std::string& file, const UnitSystem& units);
+FoundMaterials read_febio_cards(const std::string& text, const std::string& file, const UnitSystem& units);
 
 // An XML file of format 4.0.
 std::vector<DeckFile> febio_deck(const DeckOrder& order);

@@ -1,10 +1,14 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "percal/card/card_text.hpp"
 #include "percal/card/febio/febio.hpp"
 
 namespace percal {
 namespace {
+
+constexpr const char* ending = ".feb";
 
 std::string control(const DeckOrder& order) {
   const double mu = shear_modulus(order.material) / order.units.stress;
@@ -23,9 +27,9 @@ std::string mesh(const std::string& material) {
     text +=
         fmt::format("    <node id=\"{}\">{},{},{}</node>\n", number, number_field(x), number_field(y), number_field(z));
   }
-  text +=
-      "  </Nodes>\n  <Elements type=\"hex8\" name=\"cube\">\n    <elem id=\"1\">1,2,3,4,5,6,7,8</elem>\n  "
-      "</Elements>\n";
+  text += "  </Nodes>\n  <Elements type=\"hex8\" name=\"" + material +
+          "\">\n    <elem id=\"1\">1,2,3,4,5,6,7,8</elem>\n  "
+          "</Elements>\n";
   const auto set = [&](const std::string& name, const Face& face) {
     text += "  <NodeSet name=\"" + name + "\">" + listed(face, ",") + "</NodeSet>\n";
   };
@@ -33,7 +37,8 @@ std::string mesh(const std::string& material) {
   set("y0", face_y0);
   set("z0", face_z0);
   set("x1", face_x1);
-  text += "</Mesh>\n<MeshDomains>\n  <SolidDomain name=\"cube\" mat=\"" + material + "\"/>\n</MeshDomains>\n";
+  text +=
+      "</Mesh>\n<MeshDomains>\n  <SolidDomain name=\"" + material + "\" mat=\"" + material + "\"/>\n</MeshDomains>\n";
   return text;
 }
 
@@ -65,28 +70,35 @@ std::string output(const DeckOrder& order) {
 }
 
 std::string comment(const DeckOrder& order) {
-  return "<!--\n" +
-         deck_comments(order, 1, SolverLaw::logarithmic, " ",
-                       {"run: febio4 -i " + order.job + ".feb; " + order.job +
-                            "_nodes.csv then has displacement ux and reaction Rx of the four moved nodes at every step "
-                            "(sum them), " +
-                            order.job + "_element.csv the true stress sx and J: nominal stress = sx J / stretch",
-                        "hex8 with an uncoupled material: FEBio takes its three-field element, pressure and volume "
-                        "constant in the "
-                        "element, which does not lock",
-                        "time runs from 0 to the number of steps; full Newton (max_ups 0)"}) +
-         "-->\n";
+  const std::string file = deck_name(order, ending);
+  const std::string run =
+      file.find("--") == std::string::npos ? as_argument(file) : "with this file";  // "--" ends a comment
+  std::vector<std::string> notes{
+      "run: febio4 -i " + run + "; " + order.job +
+          "_nodes.csv then has displacement ux and reaction Rx of the four moved nodes at every step "
+          "(sum them), " +
+          order.job + "_element.csv the true stress sx and J: nominal stress = sx J / stretch",
+      "hex8 with an uncoupled material: FEBio takes its three-field element, pressure and volume "
+      "constant in the "
+      "element, which does not lock",
+      "time runs from 0 to the number of steps; full Newton (max_ups 0)"};
+  if (order.material.erosion)
+    notes.push_back("an element that has gone keeps its last stress in " + order.job +
+                    "_element.csv: the reactions show that it carries nothing");
+  return "<!--\n" + deck_comments(order, 1, SolverLaw::logarithmic, " ", notes) + "-->\n";
 }
 
 }  // namespace
 
-// The card is a <Material> section, with a <MeshAdaptor> where it erodes: both stand side by side in the deck.
+// The card is a <Material> section, with a <MeshAdaptor> where it erodes, which stands behind the mesh.
 std::vector<DeckFile> febio_deck(const DeckOrder& order) {
   const std::string material = text_after(order.card.substr(order.card.find("<material ")), "name=\"", "\"");
+  const std::size_t adaptor =
+      std::min(order.card.find("<MeshAdaptor>"), order.card.size());  // after Mesh: it names elements
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + comment(order);
   text += "<febio_spec version=\"4.0\">\n<Module type=\"solid\"/>\n" + control(order);
-  text += order.card + mesh(material) + boundary(order) + output(order);
-  return {{order.job + ".feb", text + "</febio_spec>\n"}};
+  text += order.card.substr(0, adaptor) + mesh(material) + order.card.substr(adaptor) + boundary(order) + output(order);
+  return {{deck_name(order, ending), text + "</febio_spec>\n"}};
 }
 
 }  // namespace percal

@@ -64,15 +64,15 @@ std::vector<DeckFile> lsdyna_deck(const DeckOrder& order) {
       "*KEYWORD\n" +
       deck_comments(
           order, 1, SolverLaw::difference, "$",
-          {"run: ls-dyna i=" + order.job +
-               ".k (double precision); bndout then has the force on the moved nodes, nodout their displacement, at "
+          {"run: ls-dyna i=" + as_argument(deck_name(order, ".k")) +
+               " (double precision); bndout then has the force on the moved nodes, nodout their displacement, at "
                "every step",
            "implicit statics: time runs from 0 to the number of steps and has no meaning; full Newton (ILIMIT 1)",
            "ELFORM 2: eight points for the shape and one for the pressure; it neither locks nor has modes without "
            "stiffness"});
   text += "*TITLE\nuniaxial test of one element\n";
   text += control(order.test.increments) + mesh() + order.card + boundary(order);
-  return {{order.job + ".k", text + "*END\n"}};
+  return {{deck_name(order, ".k"), text + "*END\n"}};
 }
 
 }  // namespace percal

@@ -9,9 +9,9 @@
 #include "percal/card/card_json.hpp"
 #include "percal/fit/cards.hpp"
 #include "percal/fit/curve_measures.hpp"
-#include "percal/fit/curve_warnings.hpp"
 #include "percal/fit/findings.hpp"
 #include "percal/fit/rulers.hpp"
+#include "percal/material/plausible.hpp"
 #include "percal/text/sha256.hpp"
 
 namespace percal {
@@ -321,34 +321,35 @@ Json fit_to_json(const FitRequest& request, const FinishedFit& found, const page
   std::vector<std::string> sentences = findings(fit);
   if (uncertainty) sentences.insert(sentences.end(), uncertainty->findings.begin(), uncertainty->findings.end());
   Json result = read_to_json(request, data.sources);
-  result.update({{"model", word(options.model)},
-                 {"minima", minima_of(fit)},
-                 {"residual", word(options.residual)},
-                 {"objective_unit", options.residual == Residual::absolute ? "Pa^2" : "1"},
-                 {"loss", word(options.loss)},
-                 {"loss_scale", finite(fit.loss_scale)},
-                 {"signs", options.signs == Signs::free ? "free" : "positive"},
-                 {"convention", "true"},
-                 {"aicc", finite(fit.aicc)},
-                 {"points", fit.points},
-                 {"points_of_mode", modes},
-                 {"tests", tests_of(fit)},
-                 {"left_out_zero_stress", fit.left_out_zero_stress},
-                 {"left_out_no_error", fit.left_out_no_error},
-                 {"search",
-                  {{"alpha_low", -largest_alpha},
-                   {"alpha_high", largest_alpha},
-                   {"scanned", fit.scanned},
-                   {"starts", fit.starts}}},
-                 {"stability", stability_of(fit, request.stretches)},
-                 {"uncertainty", uncertainty ? to_json(*uncertainty) : Json(nullptr)},
-                 {"comparison", models},
-                 {"cards", cards_to_json(fit_cards(data, fit, uncertainty.value_or(Uncertainty{})))},
-                 {"rate_factor", nullptr},
-                 {"data", points_of_tests(data, fit.tests)},
-                 {"findings", sentences},
-                 {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},
-                 {"cost", page::cost_to_json(cost)}});
+  result.update(
+      {{"model", word(options.model)},
+       {"minima", minima_of(fit)},
+       {"residual", word(options.residual)},
+       {"objective_unit", options.residual == Residual::absolute ? "Pa^2" : "1"},
+       {"loss", word(options.loss)},
+       {"loss_scale", finite(fit.loss_scale)},
+       {"signs", options.signs == Signs::free ? "free" : "positive"},
+       {"convention", "true"},
+       {"aicc", finite(fit.aicc)},
+       {"points", fit.points},
+       {"points_of_mode", modes},
+       {"tests", tests_of(fit)},
+       {"left_out_zero_stress", fit.left_out_zero_stress},
+       {"left_out_no_error", fit.left_out_no_error},
+       {"search",
+        {{"alpha_low", -largest_alpha},
+         {"alpha_high", largest_alpha},
+         {"scanned", fit.scanned},
+         {"starts", fit.starts}}},
+       {"stability", stability_of(fit, request.stretches)},
+       {"uncertainty", uncertainty ? to_json(*uncertainty) : Json(nullptr)},
+       {"comparison", models},
+       {"cards", cards_to_json(fit_cards(data, fit, uncertainty.value_or(Uncertainty{}), request.columns.where))},
+       {"rate_factor", nullptr},
+       {"data", points_of_tests(data, fit.tests)},
+       {"findings", sentences},
+       {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},
+       {"cost", page::cost_to_json(cost)}});
   add_warnings(result, rulers(data, fit));
   if (!fit.minima.empty()) add_warnings(result, implausible_modulus(small_strain_modulus(fit.minima[0].solid)));
   return result;
