@@ -22,8 +22,8 @@ struct Common {
 };
 
 struct FitArguments {
-  std::vector<std::string> files;
-  std::string mode;  // empty: from the `mode` column
+  std::vector<std::string> files;  // or WORD=FILE, with the deformation of that file
+  std::vector<std::string> mode;   // WORD of all files, WORD=FILE of one; empty: from the `mode` column
   std::string model = "ogden";
   std::string residual = "relative";  // relative, absolute, error
   std::string weights = "points";     // points, tests, NAME=NUMBER,...

@@ -1,7 +1,9 @@
 // percal fit FILE...: stress-stretch curves -> moduli and exponents, every minimum; with --rate-factor one factor between two.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <locale>
 #include <map>
 #include <sstream>
@@ -51,15 +53,50 @@ Weighting weighting_of(const std::string& text) {
   return tests;
 }
 
+// "planar=A.csv": a deformation's word and the file that it is of; none where a file of the whole name is there.
+std::optional<std::pair<std::string, std::string>> mode_and_file(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || std::filesystem::exists(text) || !deformation_of(text.substr(0, equals)))
+    return std::nullopt;
+  return std::pair{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+// Files and their deformations, said in front of a file or by --mode.
+void read_files(const FitArguments& arguments, FitRequest& request) {
+  const auto one_mode = [&](const std::string& mode, const std::string& file) {
+    const auto [known, fresh] = request.columns.mode_of.try_emplace(file, mode);
+    if (!fresh && known->second != mode)
+      throw BadInput({"", 0, "--mode"}, known->second + " and " + mode + " for " + file, "one deformation for a file");
+    if (std::find(request.files.begin(), request.files.end(), file) == request.files.end())
+      request.files.push_back(file);
+  };
+  for (const std::string& text : arguments.files) {
+    if (const auto both = mode_and_file(text))
+      one_mode(both->first, both->second);
+    else
+      request.files.push_back(text);
+  }
+  for (const std::string& text : arguments.mode) {
+    if (const auto both = mode_and_file(text)) {
+      one_mode(both->first, both->second);
+    } else if (request.columns.mode.empty()) {
+      request.columns.mode = text;
+    } else {
+      throw BadInput({"", 0, "--mode"},
+                     "both " + in_quotes(request.columns.mode) + " and " + in_quotes(text) + " for all files",
+                     "one WORD, and WORD=FILE for single files");
+    }
+  }
+  if (request.files.empty()) throw BadInput({"", 0, "files"}, "none", "one CSV file or more");
+}
+
 FitRequest request_of(const FitArguments& arguments) {
-  FitRequest request{.files = arguments.files,
-                     .columns = {.mode = arguments.mode,
-                                 .x = arguments.x,
-                                 .y = arguments.y,
-                                 .error = arguments.error,
-                                 .where = arguments.where},
-                     .stretches = stretches_of(arguments.stable),
-                     .compare = arguments.compare};
+  FitRequest request{
+      .files = {},
+      .columns = {.x = arguments.x, .y = arguments.y, .error = arguments.error, .where = arguments.where},
+      .stretches = stretches_of(arguments.stable),
+      .compare = arguments.compare};
+  read_files(arguments, request);
   CurveOptions& options = request.options;
   options.model = *model_of(arguments.model);
   for (const Residual residual : {Residual::relative, Residual::absolute, Residual::error})

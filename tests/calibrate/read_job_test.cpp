@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "calibrate/small_job.hpp"
+#include "percal/calibrate/hypothesis_findings.hpp"
 
 namespace percal {
 namespace {
@@ -134,6 +135,15 @@ TEST_F(ReadCalibrationJob, CurvesHaveTheirFactorAndError) {
   EXPECT_DOUBLE_EQ(curve.rate_factor, 10);
   EXPECT_DOUBLE_EQ(curve.rate_factor_error, 0.1);
   EXPECT_TRUE(curve.synthetic);
+}
+
+TEST_F(ReadCalibrationJob, WhatACurveContradictsIsTheFirstFinding) {
+  write("curve.csv", "test,stretch,strain,stress_kPa\na,1.1,0.1,5.5\na,1.2,0.2,11\n");
+  const auto job = read_job({{"x = \"stretch\"", "x = \"strain\""}, {"mode = \"uniaxial\"", "mode = \"compression\""}});
+  EXPECT_LT(job.curves[0].data.points[1].nominal_stress, 0);
+  EXPECT_LT(job.curves[0].data.points[1].strained.amount, 1);
+  EXPECT_THAT(overall_findings(job, {}).at(0), HasSubstr("compression written with positive numbers"));
+  EXPECT_THAT(overall_findings(read_job(), {}), testing::Not(testing::Contains(HasSubstr("curve.csv"))));
 }
 
 TEST_F(ReadCalibrationJob, HypothesesHoldNumbersAndMakeChoices) {

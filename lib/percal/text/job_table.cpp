@@ -38,7 +38,7 @@ std::vector<double> column_of(const TomlTable& block, const std::string& key, co
   auto values = table.numbers(index, dimension);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!contains(range, values[i]))
-      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index],
+      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.cell(table.rows[i], index),
                      words_of(range));
   return values;
 }

@@ -102,7 +102,7 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
   std::vector<std::string> particles(table.rows.size(), block.text("particle", "sphere"));
   if (block.has("particle_column"))
     for (std::size_t i = 0; i < particles.size(); ++i)
-      particles[i] = table.rows[i].cells[column_index(block, "particle_column", table)];
+      particles[i] = table.cell(table.rows[i], column_index(block, "particle_column", table));
   std::vector<MeasuredShot> shots(table.rows.size());
   for (std::size_t i = 0; i < shots.size(); ++i) {
     MeasuredShot& shot = shots[i];
@@ -112,7 +112,8 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
     shot.depth = depths[i];
     shot.file = table.file;
     shot.label = label_of(particles[i], shot);
-    for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = table.rows[i].cells[c];
+    const auto cells = table.cells(table.rows[i]);
+    for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = cells[c];
   }
   read_depth_errors(block, table, shots);
   read_use(block, table, shots);
