@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "percal/base/error.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/scene/scene.hpp"
 

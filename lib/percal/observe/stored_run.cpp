@@ -1,6 +1,7 @@
 #include "percal/observe/stored_run.hpp"
 
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -27,51 +28,47 @@ Json energy_to_json(const EnergyLedger& energy) {
 
 namespace {
 
-// An object's text, member by member. No JSON object is made: its destructor asks for memory, and where there is none, as beside other
-// runs there may not be, that ends the program.
-class ObjectText {
- public:
-  void add(const char* key, const std::string& value) {
-    text_ += (text_.size() > 1 ? ",\"" : "\"") + std::string(key) + "\":" + value;
-  }
-  void add(const char* key, const Json& scalar) { add(key, scalar.dump()); }
-  std::string closed() const { return text_ + "}"; }
+// An object's text. No JSON object is made: its destructor asks for memory, and where there is none, as beside other runs there may
+// not be, that ends the program.
+using Members = std::map<std::string, std::string>;  // texts of their values
 
- private:
-  std::string text_ = "{";
-};
+std::string object_text(const Members& members) {
+  std::string text;
+  for (const auto& [key, value] : members) text += (text.empty() ? "{\"" : ",\"") + key + "\":" + value;
+  return text + "}";
+}
+
+std::string value_text(const Json& scalar) { return scalar.dump(); }
 
 std::string energy_text(const EnergyLedger& energy) {
-  ObjectText text;
-  for (const EnergyTerm& term : energy_terms) text.add(term.key, finite(energy.*term.share));
-  return text.closed();
+  Members members{{"sum", value_text(finite(energy.sum()))}};
+  for (const EnergyTerm& term : energy_terms) members[term.key] = value_text(finite(energy.*term.share));
+  return object_text(members);
 }
 
 }  // namespace
 
 std::string to_payload(const Evaluation& evaluation) {
   const ImpactResult& r = evaluation.result;
-  ObjectText text;
-  text.add("outcome", Json(word(r.outcome)));
-  text.add("reason", Json(r.reason));
-  text.add("depth", finite(r.depth));
-  text.add("end_time", finite(r.end_time));
-  text.add("end_speed", finite(r.end_speed));
-  text.add("sideways", finite(r.sideways));
-  text.add("turn", finite(r.turn));
-  text.add("target_momentum", finite(r.target_momentum));
-  text.add("elements", Json(r.elements));
-  text.add("steps", Json(r.steps));
-  text.add("element_steps", Json(r.element_steps));
-  text.add("eroded", Json(r.eroded));
-  text.add("distorted", Json(r.distorted));
-  text.add("smallest_jacobian", finite(r.smallest_jacobian));
-  text.add("smallest_step", finite(r.smallest_step));
-  text.add("energy", energy_text(r.energy));
-  text.add("level", Json(evaluation.instruction_level));
-  text.add("wall_s", Json(evaluation.wall_seconds));
-  text.add("cpu_s", Json(evaluation.cpu_seconds));
-  return text.closed();
+  return object_text({{"outcome", value_text(word(r.outcome))},
+                      {"reason", value_text(r.reason)},
+                      {"depth", value_text(finite(r.depth))},
+                      {"end_time", value_text(finite(r.end_time))},
+                      {"end_speed", value_text(finite(r.end_speed))},
+                      {"sideways", value_text(finite(r.sideways))},
+                      {"turn", value_text(finite(r.turn))},
+                      {"target_momentum", value_text(finite(r.target_momentum))},
+                      {"elements", value_text(r.elements)},
+                      {"steps", value_text(r.steps)},
+                      {"element_steps", value_text(r.element_steps)},
+                      {"eroded", value_text(r.eroded)},
+                      {"distorted", value_text(r.distorted)},
+                      {"smallest_jacobian", value_text(finite(r.smallest_jacobian))},
+                      {"smallest_step", value_text(finite(r.smallest_step))},
+                      {"energy", energy_text(r.energy)},
+                      {"level", value_text(evaluation.instruction_level)},
+                      {"wall_s", value_text(evaluation.wall_seconds)},
+                      {"cpu_s", value_text(evaluation.cpu_seconds)}});
 }
 
 Evaluation from_payload(const std::string& payload) {
