@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 #include "colour.hpp"
 #include "percal/base/error.hpp"
@@ -69,7 +70,9 @@ page::Page page_of_result(const Json& result, const std::string& file) {
   throw BadInput({file, 0, "command"}, shown(command), "a result of " + listed(commands));
 }
 
-page::ReadResult read_result(const std::string& file) {
+page::ReadResult read_result(const std::string& path) {
+  std::error_code none;
+  const std::string file = std::filesystem::is_directory(path, none) ? path + "/result.json" : path;
   page::ReadResult result{file, parse_json(read_file(file), file, "the result.json of a command of percal"), {}};
   result.page = page_of_result(result.json, file);
   return result;

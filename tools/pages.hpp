@@ -16,7 +16,7 @@ namespace percal::tools {
 page::Page page_of_result(const page::Json& result, const std::string& file);
 
 // Reads the file. Throws BadInput as above.
-page::ReadResult read_result(const std::string& file);
+page::ReadResult read_result(const std::string& path);
 
 // What every command ends with: result.json in the folder (nowhere where that is empty), then on standard output the result as JSON
 // (--json), or its page as text, the answer alone or all of it (--details), or nothing (--quiet). Throws IoFailure.

@@ -1,5 +1,8 @@
 // percal report RESULT: a result as a page; two results side by side.
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -11,9 +14,31 @@
 namespace percal::tools {
 namespace {
 
-std::string page_file(const ReportArguments& arguments) {
+// Beside the result, unless the arguments say where.
+std::string page_file(const ReportArguments& arguments, const std::string& result) {
   if (!arguments.file.empty()) return arguments.file;
-  return std::filesystem::path(arguments.results[0]).replace_filename("report.html").string();
+  return std::filesystem::path(result).replace_filename("report.html").string();
+}
+
+// Shows the page in the user's browser. Throws IoFailure where xdg-open is not there or fails.
+void open_page(const std::string& file) {
+  std::string program = "xdg-open", page = std::filesystem::absolute(file).string();
+  char* words[] = {program.data(), page.data(), nullptr};
+  pid_t child = 0;
+  int status = 0;
+  if (posix_spawnp(&child, words[0], nullptr, nullptr, words, environ) != 0)
+    throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
+  if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw IoFailure("--open: xdg-open failed: open " + file + " in a browser");
+}
+
+void say_written(const ReportArguments& arguments, const std::string& file, const page::Page& page,
+                 const page::DrawnFigures& figures) {
+  const auto missing = page::figures_of(page).size() - figures.size();
+  fmt::print("{}: {}\n", file, page.title);
+  if (missing > 0)
+    fmt::print("{} plots were not drawn, since gnuplot is not there or failed: their points are in tables\n", missing);
+  if (!arguments.plots.empty()) fmt::print("plots: {}\n", arguments.plots);
 }
 
 }  // namespace
@@ -26,16 +51,12 @@ Exit run_report(const ReportArguments& arguments, const Common& common) {
     if (!common.quiet) fmt::print("{}: {}\n", fmt::join(arguments.results, ", "), page.title);
     return Exit::done;
   }
-  const std::string file = page_file(arguments);
+  const std::string file = page_file(arguments, first.file);
   const page::DrawnFigures figures = page::draw_figures(page);
   write_file(file, page::html(page, figures));
   if (!arguments.plots.empty()) page::write_figures(page, arguments.plots, page::Pictures::svg_and_png);
-  if (common.quiet) return Exit::done;
-  const auto missing = page::figures_of(page).size() - figures.size();
-  fmt::print("{}: {}\n", file, page.title);
-  if (missing > 0)
-    fmt::print("{} plots were not drawn, since gnuplot is not there or failed: their points are in tables\n", missing);
-  if (!arguments.plots.empty()) fmt::print("plots: {}\n", arguments.plots);
+  if (!common.quiet) say_written(arguments, file, page, figures);
+  if (arguments.open) open_page(file);
   return Exit::done;
 }
 
