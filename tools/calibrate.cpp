@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "colour.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/calibrate/best_scenes.hpp"
@@ -60,7 +61,7 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   Campaign campaign(&store, common.threads);
   CalibrationResult result = calibrate(job, store, campaign, limits, [&](const std::string& sentence) {
     if (!common.talks()) return;
-    fmt::print("{}\n", sentence);
+    print(sentence + "\n");
     std::fflush(stdout);
   });
   if (common.talks()) fmt::print("\n");

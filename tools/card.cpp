@@ -6,9 +6,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "colour.hpp"
 #include "commands.hpp"
 #include "element_size.hpp"
 #include "pages.hpp"
+#include "percal/base/printable.hpp"
 #include "percal/card/card_comments.hpp"
 #include "percal/card/card_curve.hpp"
 #include "percal/card/card_json.hpp"
@@ -62,7 +64,7 @@ Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const 
              const CardArguments& card, const Common& common) {
   if (common.check) {
     if (!common.quiet)
-      fmt::print("{}", fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
+      print(fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
     return Exit::done;
   }
   if (card.file.empty()) {
@@ -72,19 +74,20 @@ Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const 
       throw BadInput(
           Place{.file = "", .line = 0, .key = "--file"}, "nothing",
           fmt::format("a name: the {} for {} is {} files, as {}", what, card.solver, files.size(), listed(names)));
-    fmt::print("{}", files.front().text);
+    print(files.front().text);
     return Exit::done;
   }
   for (const DeckFile& file : files) {
     const std::string path = (std::filesystem::path(card.file).parent_path() / file.name).string();
     write_file(path, file.text);
-    if (!common.quiet) fmt::print("{}", fmt::format("wrote {}: {}\n", path, of_what));
+    if (!common.quiet) print(fmt::format("wrote {}: {}\n", path, of_what));
   }
   return Exit::done;
 }
 
 // A material read from a card or, without a solver, from a result of percal; density and bulk modulus may be missing.
 ReadCard read(const CardArguments& card) {
+  refuse_document(card.card, "a card of a solver, or the result.json of a command of percal");
   const std::string text = read_file(card.card);
   const auto start = text.find_first_not_of(" \t\r\n");
   if (start != std::string::npos && text[start] == '{') {
@@ -121,8 +124,8 @@ std::string summary(const ReadCard& read, const std::string& file) {
   const CardMaterial& material = read.found.material;
   const double mu = shear_modulus(material);
   std::string text;
-  for (const std::string& one : read.warnings) text += "warning: " + one + "\n";
-  text += fmt::format("{}: material '{}'", file, material.name);
+  for (const std::string& one : read.warnings) text += "warning: " + printable(one) + "\n";
+  text += fmt::format("{}: material '{}'", printable(file), printable(material.name));
   text += read.solver.empty() ? "\n" : fmt::format(", a card for {} in {}\n", read.solver, read.units);
   std::vector<std::vector<std::string>> rows = {{"term", "mu", "alpha", "2 mu/alpha"}};
   for (std::size_t k = 0; k < material.terms.size(); ++k) {
@@ -137,7 +140,7 @@ std::string summary(const ReadCard& read, const std::string& file) {
   text += std::isnan(material.density) ? "  density: not given\n"
                                        : fmt::format("  density: {:.9g} kg/m3\n", material.density);
   text += "  " + erosion_words(read.found) + "\n";
-  for (const std::string& one : read.found.ignored) text += "  passed over: " + one + "\n";
+  for (const std::string& one : read.found.ignored) text += "  passed over: " + printable(one) + "\n";
   return text;
 }
 
@@ -171,17 +174,19 @@ json points_of(const CardMaterial& material, const CurveRange& range) {
 
 Exit run_card_write(const CardArguments& card, const Common& common) {
   const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
+  refuse_document(card.result, "the result.json of fit, identify or calibrate, or of card read --json");
   CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));
   if (!material.contradiction.empty() && !card.force)
     throw BadInput({card.result, 0, "cards"}, "a card whose data contradict each other: " + material.contradiction,
                    "data that agree; --force writes the card with a warning in it");
+  if (!card.file.empty() && !common.check) ensure_writable_file(card.file);
   if (!card.element_size.empty()) {
     if (const auto found = strain_for_elements(card, material, common)) {
       if (!found->why_not.empty()) {
-        fmt::print(stderr, "{}", fmt::format("no erosion strain for these elements: {}\n", found->why_not));
+        print(fmt::format("no erosion strain for these elements: {}\n", found->why_not), stderr);
         return Exit::outcome_not_reached;
       }
-      if (!common.quiet) fmt::print(stderr, "{}\n", in_words(*found));
+      if (!common.quiet) print(in_words(*found) + "\n", stderr);
       material = for_elements(material, found->strain, found->element, found->radius, in_words(*found));
     }
   }

@@ -1,9 +1,12 @@
 #include "colour.hpp"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
+
+#include "percal/base/printable.hpp"
 
 namespace percal::tools {
 namespace {
@@ -22,6 +25,8 @@ bool has_colour(std::FILE* stream) {
 }
 
 std::string red(const std::string& text, std::FILE* stream) { return shown("31", text, stream); }
+
+void print(const std::string& text, std::FILE* stream) { fmt::print(stream, "{}", printable(text)); }
 
 int terminal_columns() {
   winsize size{};

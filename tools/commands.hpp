@@ -22,8 +22,8 @@ struct Common {
 };
 
 struct FitArguments {
-  std::vector<std::string> files;
-  std::string mode;  // empty: from the `mode` column
+  std::vector<std::string> files;  // or WORD=FILE, with the deformation of that file
+  std::vector<std::string> mode;   // WORD of all files, WORD=FILE of one; empty: from the `mode` column
   std::string model = "ogden";
   std::string residual = "relative";  // relative, absolute, error
   std::string weights = "points";     // points, tests, NAME=NUMBER,...
@@ -149,8 +149,14 @@ Exit run_completion(const CompletionArguments&, const DescribedCommand& program)
 Exit run_man(const ManArguments&, const DescribedCommand& program);
 
 // Where a command's files go: NAME.out in the working folder, NAME the stem of its first input, or what --out says; empty where --out
-// is none. Throws IoFailure where the folder cannot be written to.
+// is none.
+std::string folder_named(const std::string& first_input, const Common&);
+
+// The same, made. Throws IoFailure where it cannot be written to, BadInput where a result would replace an input.
 std::string out_folder(const std::string& first_input, const Common&);
+
+// Throws BadInput where a TOML file is a scene or a job, which this command does not take. Others are left to their readers.
+void refuse_document(const std::string& file, const std::string& accepted);
 
 // What an option says, in SI. Throws BadInput, which names the option and what is accepted.
 double positive_quantity(const std::string& text, const std::string& option, const Dimension& wanted,

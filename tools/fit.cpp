@@ -1,11 +1,14 @@
 // percal fit FILE...: stress-stretch curves -> moduli and exponents, every minimum; with --rate-factor one factor between two.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <locale>
 #include <map>
 #include <sstream>
 
+#include "colour.hpp"
 #include "pages.hpp"
 #include "percal/fit/findings.hpp"
 #include "percal/fit/page/fit_json.hpp"
@@ -50,15 +53,50 @@ Weighting weighting_of(const std::string& text) {
   return tests;
 }
 
+// "planar=A.csv": a deformation's word and the file that it is of; none where a file of the whole name is there.
+std::optional<std::pair<std::string, std::string>> mode_and_file(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || std::filesystem::exists(text) || !deformation_of(text.substr(0, equals)))
+    return std::nullopt;
+  return std::pair{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+// Files and their deformations, said in front of a file or by --mode.
+void read_files(const FitArguments& arguments, FitRequest& request) {
+  const auto one_mode = [&](const std::string& mode, const std::string& file) {
+    const auto [known, fresh] = request.columns.mode_of.try_emplace(file, mode);
+    if (!fresh && known->second != mode)
+      throw BadInput({"", 0, "--mode"}, known->second + " and " + mode + " for " + file, "one deformation for a file");
+    if (std::find(request.files.begin(), request.files.end(), file) == request.files.end())
+      request.files.push_back(file);
+  };
+  for (const std::string& text : arguments.files) {
+    if (const auto both = mode_and_file(text))
+      one_mode(both->first, both->second);
+    else
+      request.files.push_back(text);
+  }
+  for (const std::string& text : arguments.mode) {
+    if (const auto both = mode_and_file(text)) {
+      one_mode(both->first, both->second);
+    } else if (request.columns.mode.empty()) {
+      request.columns.mode = text;
+    } else {
+      throw BadInput({"", 0, "--mode"},
+                     "both " + in_quotes(request.columns.mode) + " and " + in_quotes(text) + " for all files",
+                     "one WORD, and WORD=FILE for single files");
+    }
+  }
+  if (request.files.empty()) throw BadInput({"", 0, "files"}, "none", "one CSV file or more");
+}
+
 FitRequest request_of(const FitArguments& arguments) {
-  FitRequest request{.files = arguments.files,
-                     .columns = {.mode = arguments.mode,
-                                 .x = arguments.x,
-                                 .y = arguments.y,
-                                 .error = arguments.error,
-                                 .where = arguments.where},
-                     .stretches = stretches_of(arguments.stable),
-                     .compare = arguments.compare};
+  FitRequest request{
+      .files = {},
+      .columns = {.x = arguments.x, .y = arguments.y, .error = arguments.error, .where = arguments.where},
+      .stretches = stretches_of(arguments.stable),
+      .compare = arguments.compare};
+  read_files(arguments, request);
   CurveOptions& options = request.options;
   options.model = *model_of(arguments.model);
   for (const Residual residual : {Residual::relative, Residual::absolute, Residual::error})
@@ -89,7 +127,7 @@ Exit fit(const FitRequest& request, const Common& common) {
   if (request.compare) found.comparison = compare_models(found.data, request.options);
   if (request.intervals) found.uncertainty = uncertainty_of(found.data, found.fit, *request.intervals);
   deliver(fit_to_json(request, found, clock.cost()), folder, common);
-  if (found.fit.minima.empty()) fmt::print(stderr, "percal: {}\n", findings(found.fit)[0]);
+  if (found.fit.minima.empty()) print("percal: " + findings(found.fit)[0] + "\n", stderr);
   return !found.fit.minima.empty() && found.fit.minima[0].converged ? Exit::done : Exit::outcome_not_reached;
 }
 
@@ -137,6 +175,7 @@ Exit fit_factor(const FitRequest& request, const Common& common) {
 
 Exit run_fit(const FitArguments& arguments, const Common& common) {
   const FitRequest request = request_of(arguments);
+  for (const std::string& file : request.files) refuse_document(file, "CSV files of stress and stretch");
   return request.rate_column ? fit_factor(request, common) : fit(request, common);
 }
 

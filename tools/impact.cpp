@@ -67,9 +67,10 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
                                  scene.replicates),
                      {{"command", "impact"}, {"scene", arguments.scene}}, common, size);
   }
-  if (!arguments.history.empty()) ensure_writable(arguments.history);
+  if (!arguments.history.empty()) ensure_writable_file(arguments.history);
   ensure_views_can_be_made(arguments);
   const std::string folder = out_folder(arguments.scene, common);
+  if (!folder.empty() && scene.output.history) ensure_writable_file(folder + "/history.csv");
   Store store(common.store.empty() ? default_store_path() : common.store);
   std::optional<AdvisedAccuracy> accuracy;
   if (target_error) {

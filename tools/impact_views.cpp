@@ -8,15 +8,6 @@
 
 namespace percal::tools {
 
-void ensure_writable(const std::string& file) {
-  const std::filesystem::path path(file);
-  std::error_code no_matter;
-  const auto status = std::filesystem::status(path, no_matter);
-  if (std::filesystem::is_directory(status)) throw IoFailure(file + ": is a folder, not a file");
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return;
-  ensure_writable_folder(path.has_parent_path() ? path.parent_path().string() : ".");
-}
-
 void check_views(const ImpactArguments& arguments, const Common& common) {
   if (!arguments.fields.empty()) parse_field_interval(arguments.fields, "--fields");
   if (!arguments.fields.empty() && common.out == "none")
@@ -27,7 +18,7 @@ void check_views(const ImpactArguments& arguments, const Common& common) {
 
 void ensure_views_can_be_made(const ImpactArguments& arguments) {
   if (arguments.picture.empty()) return;
-  ensure_writable(arguments.picture);
+  ensure_writable_file(arguments.picture);
   if (!gnuplot("set print '-'\nprint 'here'\n"))
     throw IoFailure("--picture: gnuplot, which draws it, cannot be run; on Debian it is the package gnuplot-nox");
 }

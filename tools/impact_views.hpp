@@ -10,10 +10,6 @@
 
 namespace percal::tools {
 
-// Found out before anything is computed: throws IoFailure where `file` could not be written. A pipe or a device is written to as
-// it stands.
-void ensure_writable(const std::string& file);
-
 // Throws BadInput for what cannot be meant.
 void check_views(const ImpactArguments& arguments, const Common& common);
 

@@ -14,7 +14,6 @@
 #include "percal/identify/job.hpp"
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
-#include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -56,7 +55,8 @@ KeyRecord keys_asked_for(const FileKind& kind, const std::string& document) {
   const ScratchFolder folder;
   const auto write = [&](const std::string& name, const std::string& text) {
     const std::string path = (folder.path() / with_stem(name, "sample")).string();
-    write_file(path, with_stem(text, "sample"));
+    if (!(std::ofstream(path) << with_stem(text, "sample")))  // a scratch file need not outlive a power cut
+      throw IoFailure(path + ": cannot be written");
     return path;
   };
   for (const TextFile& file : template_of(kind.name, Keys::all)) write(file.name, file.text);

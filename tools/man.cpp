@@ -104,7 +104,7 @@ std::string exit_status() {
            {1, "done, but a check in the job failed"},
            {2, "bad input: the message names file, line and key, what was found and what is accepted"},
            {3, "the outcome that was asked for was not reached"},
-           {4, "a file cannot be read or written"},
+           {4, "a file cannot be read or written, or memory is not to be had"},
            {130, "interrupted; the same command goes on from there"}})
     text += tagged(bold(std::to_string(code)), meaning);
   return text;

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "colour.hpp"
 #include "commands.hpp"
 #include "key_reference.hpp"
 #include "percal/text/file.hpp"
@@ -143,7 +144,7 @@ Exit run_new(const NewArguments& arguments, const Common& common) {
   }
   for (const TextFile& file : written) write_file(file.name, file.text);
   if (!common.quiet)
-    for (const TextFile& file : written) fmt::print("wrote {}\n", file.name);
+    for (const TextFile& file : written) print("wrote " + file.name + "\n");
   return Exit::done;
 }
 

@@ -129,9 +129,13 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
 void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands) {
   auto* command =
       app.add_subcommand("fit", "stress-stretch CSV files -> moduli and exponents, every minimum, models compared");
-  command->add_option("files", fit.files, "CSV files")->required();
-  command->add_option("--mode", fit.mode,
-                      "deformation where the file has no mode column: uniaxial, equibiaxial, planar, shear");
+  command->add_option("files", fit.files, "CSV files; uniaxial=FILE, planar=FILE, ... say the deformation of each");
+  command
+      ->add_option(
+          "--mode", fit.mode,
+          "deformation where the file has no mode column, or one of other words: uniaxial, equibiaxial, planar, shear, "
+          "...; WORD=FILE of one file (may be given several times)")
+      ->allow_extra_args(false);
   command->add_option("--model", fit.model, "ogden (one term), ogden2, ogden3, neo-hooke or mooney-rivlin")
       ->check(CLI::IsMember({"ogden", "ogden2", "ogden3", "neo-hooke", "mooney-rivlin"}));
   command->add_flag("--compare", fit.compare,
@@ -149,7 +153,10 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   command->add_option("--x", fit.x, "column of stretch, strain or shear");
   command->add_option("--y", fit.y, "column of stress");
   command->add_option("--error", fit.error, "column of the stress's standard error");
-  command->add_option("--where", fit.where, "keep the rows with COLUMN=VALUE (may be given several times)")
+  command
+      ->add_option("--where", fit.where,
+                   "keep the rows with COLUMN=VALUE, or with !=, <, <=, >, >= such as \"stretch<3\" (may be given "
+                   "several times)")
       ->allow_extra_args(false);
   command->add_flag("--intervals,!--no-intervals", fit.intervals,
                     "profile-likelihood intervals of every parameter (default: yes)");
@@ -167,6 +174,7 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   command->footer(
       "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
       "          percal fit data/public/treloar1944_rubber_primary.csv --compare --weights tests\n"
+      "          percal fit uniaxial=tension.csv planar=shear.csv --where \"stretch<3\"\n"
       "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
       "data/synthetic/gelatin_12wt_highrate.csv");
   add_common(*command, common, false);

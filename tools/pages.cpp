@@ -73,6 +73,7 @@ page::Page page_of_result(const Json& result, const std::string& file) {
 page::ReadResult read_result(const std::string& path) {
   std::error_code none;
   const std::string file = std::filesystem::is_directory(path, none) ? path + "/result.json" : path;
+  refuse_document(file, "the result.json of a command of percal");
   page::ReadResult result{file, parse_json(read_file(file), file, "the result.json of a command of percal"), {}};
   result.page = page_of_result(result.json, file);
   return result;
@@ -87,7 +88,7 @@ void deliver(const Json& result, const std::string& folder, const Common& common
   const auto style = terminal_style(common.details ? page::Detail::more : page::Detail::answer);
   fmt::print("{}", page::as_text(page_of_result(result, "this result"), style));
   if (!folder.empty())
-    fmt::print("{}: the whole result{}\n", file, common.details ? "" : "; see --details, percal report");
+    print(fmt::format("{}: the whole result{}\n", file, common.details ? "" : "; see --details, percal report"));
 }
 
 void write_scene(const Scene& scene, const std::string& comment, const std::string& name, const std::string& folder) {
@@ -106,7 +107,7 @@ Exit say_valid(const std::string& words, Json answer, const Common& common, cons
                              {"bytes", largest->bytes},
                              {"steps_up_to", std::ceil(largest->steps)}};
   if (common.json) fmt::print("{}\n", answer.dump());
-  if (common.talks()) fmt::print("{}\n", words);
+  if (common.talks()) print(words + "\n");
   return Exit::done;
 }
 

@@ -1,18 +1,25 @@
 // The program: reads the command line, runs one command, turns the failures into exit codes. The commands are in files of their own.
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
 #include "colour.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "percal/base/ending.hpp"
 #include "percal/base/error.hpp"
+#include "percal/base/inputs.hpp"
+#include "percal/base/printable.hpp"
+#include "percal/base/threads.hpp"
+#include "percal/scene/document_kind.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
@@ -30,34 +37,59 @@ double positive_quantity(const std::string& text, const std::string& option, con
   throw BadInput(place, in_quotes(text), accepted);
 }
 
-std::string out_folder(const std::string& first_input, const Common& common) {
+void refuse_document(const std::string& file, const std::string& accepted) {
+  if (!file.ends_with(".toml")) return;
+  if (const auto kind = document_in_words(read_file(file))) throw BadInput({file, 0, ""}, *kind, accepted);
+}
+
+std::string folder_named(const std::string& first_input, const Common& common) {
   if (common.out == "none") return "";
-  const std::string folder =
-      common.out.empty() ? std::filesystem::path(first_input).stem().string() + ".out" : common.out;
+  return common.out.empty() ? std::filesystem::path(first_input).stem().string() + ".out" : common.out;
+}
+
+std::string out_folder(const std::string& first_input, const Common& common) {
+  const std::string folder = folder_named(first_input, common);
+  if (folder.empty()) return folder;
   ensure_writable_folder(folder);
+  refuse_to_replace_input(folder + "/result.json");
   return folder;
 }
 
 namespace {
 
-// Ends at once, by calls that a signal handler may make. Evaluations are in the store as soon as they are finished, and files
-// that are being written hold the signal back (text/file.cpp), so nothing half-written stays behind.
-void end_interrupted(int) {
-  constexpr char message[] =
-      "\npercal: interrupted; what is finished is in the store, and the same command goes on from there\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof message - 1);
-  _exit(static_cast<int>(Exit::interrupted));
-}
+constexpr const char* interrupted = "interrupted";
+// Evaluations are in the store as soon as they are finished.
+constexpr const char* interrupted_between_runs =
+    "interrupted; what is finished is in the store, and the same command goes on from there";
+std::atomic<const char*> last_words{interrupted};
 
-void resume_after_interruption() {
-  for (const int number : {SIGINT, SIGTERM}) {
-    struct sigaction action {};
-    action.sa_handler = end_interrupted;
-    sigfillset(&action.sa_mask);
+void resume_after_interruption() { last_words = interrupted_between_runs; }
+
+// The signals that ask the program to end and that its caller does not ignore (nohup).
+sigset_t signals_to_end_on() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     sigaction(number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // ignored by the caller (nohup): stays so
+    if (before.sa_handler != SIG_IGN) sigaddset(&signals, number);
   }
+  return signals;
+}
+
+// Signals are blocked in every thread and taken in this one, which ends the process when no file is half written. Where there is no
+// thread to be had they end it as they always did. Call it before any other thread is there.
+void end_when_interrupted() {
+  const sigset_t signals = signals_to_end_on();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  auto watch = threads_to_be_had(1, [signals](int) {
+    int number = 0;
+    while (sigwait(&signals, &number) != 0) {
+    }
+    end_process(static_cast<int>(Exit::interrupted), std::string("\npercal: ") + last_words.load() + "\n");
+  });
+  for (auto& thread : watch) thread.detach();
+  if (watch.empty()) pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
 // What is still in the buffer may be more than the disk holds.
@@ -66,32 +98,43 @@ void flush_output() {
     throw IoFailure(std::string("standard output: cannot be written: ") + std::strerror(errno));
 }
 
-void say(const std::string& message) {
-  std::fprintf(stderr, "%s %s\n", red("percal:", stderr).c_str(), message.c_str());
+int fail(Exit exit, const std::string& message) {
+  std::fprintf(stderr, "%s %s\n", red("percal:", stderr).c_str(), printable(message).c_str());
+  return static_cast<int>(exit);
 }
 
 }  // namespace
+
+// What went wrong, as a sentence and an exit code.
+int run(int argc, char** argv) {
+  try {
+    const InputsAreKept kept;
+    const Exit exit = run_command_line(argc, argv, resume_after_interruption);
+    flush_output();
+    return static_cast<int>(exit);
+  } catch (const BadInput& error) {
+    return fail(Exit::bad_input, error.what());
+  } catch (const IoFailure& error) {
+    return fail(Exit::io_failure, error.what());
+  } catch (const NoMemory& error) {
+    return fail(Exit::io_failure, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(Exit::io_failure, "out of memory");
+  } catch (const std::length_error&) {  // a size that no memory has
+    return fail(Exit::io_failure, "out of memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(Exit::io_failure, error.what());
+  } catch (const std::system_error& error) {  // fmt::print on a full disk
+    return fail(Exit::io_failure, std::string("standard output: ") + error.what());
+  } catch (const std::exception& error) {
+    return fail(Exit::internal_error, std::string("internal error: ") + error.what());
+  }
+}
+
 }  // namespace percal::tools
 
 int main(int argc, char** argv) {
-  using percal::Exit;
-  using percal::tools::say;
   std::signal(SIGXFSZ, SIG_IGN);  // a file over its size limit is a failure to write, told as one
-  try {
-    const Exit exit = percal::tools::run_command_line(argc, argv, percal::tools::resume_after_interruption);
-    percal::tools::flush_output();
-    return static_cast<int>(exit);
-  } catch (const percal::BadInput& error) {
-    say(error.what());
-    return static_cast<int>(Exit::bad_input);
-  } catch (const percal::IoFailure& error) {
-    say(error.what());
-    return static_cast<int>(Exit::io_failure);
-  } catch (const std::system_error& error) {  // fmt::print on a full disk
-    say(std::string("standard output: ") + error.what());
-    return static_cast<int>(Exit::io_failure);
-  } catch (const std::exception& error) {
-    say(std::string("internal error: ") + error.what());
-    return 70;
-  }
+  percal::tools::end_when_interrupted();
+  return percal::tools::run(argc, argv);
 }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "colour.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/page/html.hpp"
@@ -35,10 +36,10 @@ void open_page(const std::string& file) {
 void say_written(const ReportArguments& arguments, const std::string& file, const page::Page& page,
                  const page::DrawnFigures& figures) {
   const auto missing = page::figures_of(page).size() - figures.size();
-  fmt::print("{}: {}\n", file, page.title);
+  print(fmt::format("{}: {}\n", file, page.title));
   if (missing > 0)
     fmt::print("{} plots were not drawn, since gnuplot is not there or failed: their points are in tables\n", missing);
-  if (!arguments.plots.empty()) fmt::print("plots: {}\n", arguments.plots);
+  if (!arguments.plots.empty()) print("plots: " + arguments.plots + "\n");
 }
 
 }  // namespace
@@ -48,10 +49,11 @@ Exit run_report(const ReportArguments& arguments, const Common& common) {
   const page::Page page =
       arguments.results.size() == 1 ? first.page : page::compared(first, read_result(arguments.results[1]));
   if (common.check) {
-    if (!common.quiet) fmt::print("{}: {}\n", fmt::join(arguments.results, ", "), page.title);
+    if (!common.quiet) print(fmt::format("{}: {}\n", fmt::join(arguments.results, ", "), page.title));
     return Exit::done;
   }
   const std::string file = page_file(arguments, first.file);
+  ensure_writable_file(file);
   const page::DrawnFigures figures = page::draw_figures(page);
   write_file(file, page::html(page, figures));
   if (!arguments.plots.empty()) page::write_figures(page, arguments.plots, page::Pictures::svg_and_png);

@@ -5,28 +5,32 @@
 
 #include <filesystem>
 
+#include "colour.hpp"
 #include "commands.hpp"
 
 namespace percal::tools {
 namespace {
 
-// A store that is not there would be made by opening it.
-void need_file(const std::string& path) {
+void check_source(const std::string& path, const std::string& target) {
   std::error_code no_matter;
   if (!std::filesystem::is_regular_file(path, no_matter))
     throw BadInput(Place{.file = path, .line = 0, .key = ""}, "no such file", "a store of percal");
+  if (std::filesystem::equivalent(path, target, no_matter))
+    throw BadInput(Place{.file = path, .line = 0, .key = "--store"}, "one of the sources, which stay as they are",
+                   "another store to write to");
 }
 
 }  // namespace
 
 Exit run_store_merge(const StoreArguments& arguments, const Common& common) {
-  for (const std::string& source : arguments.sources) need_file(source);
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  const std::string target = common.store.empty() ? default_store_path() : common.store;
+  for (const std::string& source : arguments.sources) check_source(source, target);
+  Store store(target);
   for (const std::string& source : arguments.sources) {
-    const Store other(source);
+    const Store other = Store::copy_of(source);
     const long taken = store.take_in(other);
     if (!common.quiet)
-      fmt::print("{}: {} evaluations, {} of them new in {}\n", source, other.size(), taken, store.path());
+      print(fmt::format("{}: {} evaluations, {} of them new in {}\n", source, other.size(), taken, store.path()));
   }
   return Exit::done;
 }

@@ -26,8 +26,8 @@ using page::Json;
 
 // Where the runs come from and the results go.
 struct Study {
-  Study(const std::string& first_input, const Common& common)
-      : folder(out_folder(first_input, common)),
+  Study(const std::string& first_input, const StudyArguments& arguments, const Common& common)
+      : folder(writable_folder(first_input, arguments, common)),
         store(common.store.empty() ? default_store_path() : common.store),
         campaign(&store, common.threads) {}
 
@@ -39,6 +39,12 @@ struct Study {
             .cpu_seconds = done.cpu_seconds,
             .wall_seconds = wall.count(),
             .instruction_level = instruction_level()};
+  }
+
+  static std::string writable_folder(const std::string& first_input, const StudyArguments& arguments,
+                                     const Common& common) {
+    if (!arguments.markdown.empty()) ensure_writable_file(arguments.markdown);
+    return out_folder(first_input, common);
   }
 
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
@@ -65,6 +71,7 @@ bool write_markdown(const page::Page& page, const std::string& file, const std::
 // Table and figures beside what every command writes and prints.
 void finish(const Json& result, const std::string& csv_name, const std::string& csv, const Study& study,
             const StudyArguments& arguments, const Common& common) {
+  deliver(result, study.folder, common);
   const page::Page page = study_page(result);
   bool drawn = true;
   if (!study.folder.empty()) {
@@ -72,7 +79,6 @@ void finish(const Json& result, const std::string& csv_name, const std::string& 
     drawn = page::write_figures(page, study.folder, page::Pictures::svg);
   }
   if (!arguments.markdown.empty()) drawn &= write_markdown(page, arguments.markdown, study.folder);
-  deliver(result, study.folder, common);
   if (!drawn && common.talks()) fmt::print("the figures were not drawn: no gnuplot; CSV files have their points\n");
 }
 
@@ -83,7 +89,7 @@ Exit error_vs_time_study(const StudyArguments& arguments, const Common& common) 
   if (arguments.replicates) options.replicates = *arguments.replicates;
   options = checked(options, scene);
   if (common.check) return checked_scene(arguments.scene, ladder_runs(options), finest_problem(options, scene), common);
-  Study study(arguments.scene, common);
+  Study study(arguments.scene, arguments, common);
   const Ladder ladder = [&] {
     Progress progress("study", ladder_runs(options));
     return run_ladder(scene, options, study.campaign, &progress);
@@ -109,7 +115,7 @@ Exit omissions_study(const StudyArguments& arguments, const Common& common) {
       if (const Problem p = reduce(variant.scene).problem; size_of(p).elements > size_of(largest).elements) largest = p;
     return checked_scene(arguments.scene, replicates * (1 + static_cast<long>(plan.variants.size())), largest, common);
   }
-  Study study(arguments.scene, common);
+  Study study(arguments.scene, arguments, common);
   const Omissions audit = [&] {
     Progress progress("study", 0);
     return audit_omissions(scene, replicates, [&](const std::vector<Problem>& problems, int runs) {
@@ -126,7 +132,7 @@ Exit extremes_study(const StudyArguments& arguments, const Common& common) {
   const auto cells = extreme_cells();
   if (common.check)
     return say_valid(fmt::format("{} cells", cells.size()), {{"command", "study"}, {"cells", cells.size()}}, common);
-  Study study("extremes", common);
+  Study study("extremes", arguments, common);
   const auto results = [&] {
     Progress progress("study", static_cast<long>(cells.size()));
     return run_extremes(cells, instruction_level(), [&](const std::vector<Problem>& problems) {

@@ -17,6 +17,8 @@ PYBIND11_MODULE(_core, core) {
       PyErr_SetString(PyExc_ValueError, error.what());
     } catch (const percal::IoFailure& error) {
       PyErr_SetString(PyExc_OSError, error.what());
+    } catch (const percal::NoMemory& error) {
+      PyErr_SetString(PyExc_MemoryError, error.what());
     }
   });
   core.attr("__version__") = percal::version();

@@ -6,6 +6,7 @@
 #include "core.hpp"
 #include "percal/base/error.hpp"
 #include "percal/fit/page/fit_json.hpp"
+#include "percal/fit/thin_curves.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::python {
@@ -112,6 +113,7 @@ CurveData data_of(const Numbers& stretch, const Numbers& stress, const std::vect
                    .stress = cauchy ? StressMeasure::cauchy : StressMeasure::nominal,
                    .mode_column = modes.size() != 1,
                    .points = static_cast<int>(count)}};
+  thin(data);
   return data;
 }
 
@@ -169,12 +171,12 @@ void bind_fit(py::module_& core) {
     request.files = {data.sources[0].file};
     return fit(request, data);
   });
-  core.def("fit_csv", [](const std::vector<std::string>& files, const std::string& mode, const std::string& x,
-                         const std::string& y, const std::string& error, const std::vector<std::string>& where,
-                         const py::dict& options) {
+  core.def("fit_csv", [](const std::vector<std::string>& files, const std::string& mode,
+                         const std::map<std::string, std::string>& mode_of, const std::string& x, const std::string& y,
+                         const std::string& error, const std::vector<std::string>& where, const py::dict& options) {
     FitRequest request = request_of(options);
     request.files = files;
-    request.columns = {.mode = mode, .x = x, .y = y, .error = error, .where = where};
+    request.columns = {.mode = mode, .mode_of = mode_of, .x = x, .y = y, .error = error, .where = where};
     return fit(request, read_curves(files, request.columns));
   });
   core.def("nominal_stress", &stresses);

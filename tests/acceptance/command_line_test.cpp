@@ -1,5 +1,6 @@
 // The command line itself: help, version, words that it does not know.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
 #include "support/program.hpp"
 
@@ -63,6 +64,58 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
         << testing::PrintToString(arguments);
   }
   EXPECT_THAT(files(), IsEmpty()) << "nothing was written";
+}
+
+TEST_F(CommandLine, ADocumentOfAnotherCommandIsCalledWhatItIs) {
+  const std::vector<std::pair<std::string, std::string>> documents{
+      {test::guha2009 + "gold.toml", "found a scene, for percal impact"},
+      {test::guha2009 + "similar.toml", "found a job of percal scale"},
+      {test::guha2009 + "skin.toml", "found a job of percal identify"},
+      {PERCAL_DATA "/synthetic/joint.toml", "found a job of percal calibrate"}};
+  const std::vector<std::pair<std::string, std::string>> commands{
+      {"impact", "a scene"},         {"study --omissions", "a scene"},     {"scale", "percal scale"},
+      {"identify", "identify"},      {"calibrate", "percal calibrate"},    {"fit", "CSV files"},
+      {"report", "the result.json"}, {"card check", "a card of a solver"}, {"card write --solver febio", "result.json"}};
+  for (const auto& [document, kind] : documents)
+    for (const auto& [command, accepted] : commands) {
+      if (kind.find(test::words_of(command)[0]) != std::string::npos) continue;
+      if (command.starts_with("study") && kind.find("scene") != std::string::npos) continue;
+      auto words = test::words_of(command);
+      words.push_back(document);
+      const Ended ended = run(words);
+      EXPECT_EQ(ended.code, 2) << command << " " << document;
+      EXPECT_THAT(ended.err, AllOf(HasSubstr(kind), HasSubstr(accepted))) << command << " " << document;
+    }
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(CommandLine, ASceneWithVelocityIsAskedWhetherItMeansSpeed) {
+  std::string text = text_of(test::test_data + "layer.toml");
+  write("s.toml", text.replace(text.find("speed"), 5, "velocity"));
+  EXPECT_THAT(run({"impact", "s.toml"}).err, HasSubstr("\"velocity\": did you mean speed?"));
+}
+
+// Where addresses are few no thread can be begun, or no run; either is told, and no thread takes the program down.
+TEST_F(CommandLine, ShortOfMemoryItTakesFewerThreadsOrSaysSo) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "which want all addresses for themselves";
+#endif
+  for (const rlim_t megabytes : {100, 150, 250, 600})
+    for (const std::string threads : {"1", "2", "7", "4096"}) {
+      const Ended ended = run({"impact", test::test_data + "layer.toml", "--replicates", "40", "--threads", threads, "--store",
+                               "store" + threads + std::to_string(megabytes), "--quiet"},
+                              [megabytes] {
+                                const rlimit limit{megabytes << 20, megabytes << 20};
+                                setrlimit(RLIMIT_AS, &limit);
+                              });
+      EXPECT_THAT(ended.code, testing::AnyOf(0, 4, 127)) << megabytes << " MB, " << threads << ": " << ended.err;
+      if (ended.code == 4) {
+        EXPECT_THAT(ended.err, HasSubstr("memory"));
+      }
+      if (megabytes == 600) {
+        EXPECT_EQ(ended.code, 0) << threads << ": " << ended.err;
+      }
+    }
 }
 
 TEST_F(CommandLine, ZeroThreadsMeansOneForEachCore) {

@@ -133,6 +133,23 @@ TEST_F(Interrupted, WhileItWritesNothingIsLeftHalfWritten) {
   EXPECT_GT(in_the_middle, 0) << "no signal came while it ran";
 }
 
+// Fields are written by the threads that run, and a signal may be taken while they do.
+TEST_F(Interrupted, WhileThreadsWriteNoTemporaryFileIsLeft) {
+  write("layer.toml", text_of(test::test_data + "layer.toml"));
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> microseconds(5000, 60000);
+  int in_the_middle = 0;
+  for (int k = 0; k < 40; ++k) {
+    const pid_t child = start(
+        {"impact", "layer.toml", "--store", "layer.store", "--out", "out", "--quiet", "--fields", "every=2", "--threads", "2"});
+    std::this_thread::sleep_for(std::chrono::microseconds(microseconds(random)));
+    kill(child, k % 2 == 0 ? SIGINT : SIGHUP);
+    in_the_middle += wait_for(child).code == 130;
+    if (fs::exists(path("out"))) expect_no_temporary_file(files("out"));
+  }
+  EXPECT_GT(in_the_middle, 0) << "no signal came while it ran";
+}
+
 TEST_F(Interrupted, ASignalThatItsCallerIgnoresIsIgnored) {
   const pid_t child = start(command("deaf"), [] { std::signal(SIGINT, SIG_IGN); });
   wait_for_a_row("deaf", 2);

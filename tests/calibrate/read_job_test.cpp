@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "calibrate/small_job.hpp"
+#include "percal/calibrate/hypothesis_findings.hpp"
 
 namespace percal {
 namespace {
@@ -65,6 +66,16 @@ TEST_F(ReadCalibrationJob, RowsOfATableAreShots) {
   EXPECT_EQ(second.row.at("diameter_mm"), "3");
 }
 
+TEST_F(ReadCalibrationJob, ADensityMayBeAMass) {
+  const double mass = 7800 * 4 * 3.14159265358979 / 3 * 1e-9;  // kg, of a ball of 2 mm
+  const auto job = read_job(
+      {{"diameter = \"2 mm\"\nparticle_density = \"7800 kg/m3\"", "diameter = \"2 mm\"\nparticle_mass = \"32.67 mg\""},
+       {"particle_density_column = \"density_kg_m3\"\ndiameter_column", "particle_mass = \"32.67 mg\"\ndiameter_column"}});
+  EXPECT_NEAR(job.shots[4].density, 7800 * 32.67e-6 / mass, 0.1);
+  EXPECT_NEAR(job.shots[1].density, 7800 * 32.67e-6 / mass / std::pow(1.5, 3), 0.1) << "of a ball of 3 mm";
+  EXPECT_EQ(read_job().shots[4].density, 7800);
+}
+
 TEST_F(ReadCalibrationJob, ConditionsChooseWhichRowsAreCensoredFittedAndHaveAnError) {
   const auto job = read_job();
   const auto of = [&](auto member) {
@@ -124,6 +135,15 @@ TEST_F(ReadCalibrationJob, CurvesHaveTheirFactorAndError) {
   EXPECT_DOUBLE_EQ(curve.rate_factor, 10);
   EXPECT_DOUBLE_EQ(curve.rate_factor_error, 0.1);
   EXPECT_TRUE(curve.synthetic);
+}
+
+TEST_F(ReadCalibrationJob, WhatACurveContradictsIsTheFirstFinding) {
+  write("curve.csv", "test,stretch,strain,stress_kPa\na,1.1,0.1,5.5\na,1.2,0.2,11\n");
+  const auto job = read_job({{"x = \"stretch\"", "x = \"strain\""}, {"mode = \"uniaxial\"", "mode = \"compression\""}});
+  EXPECT_LT(job.curves[0].data.points[1].nominal_stress, 0);
+  EXPECT_LT(job.curves[0].data.points[1].strained.amount, 1);
+  EXPECT_THAT(overall_findings(job, {}).at(0), HasSubstr("compression written with positive numbers"));
+  EXPECT_THAT(overall_findings(read_job(), {}), testing::Not(testing::Contains(HasSubstr("curve.csv"))));
 }
 
 TEST_F(ReadCalibrationJob, HypothesesHoldNumbersAndMakeChoices) {

@@ -3,6 +3,7 @@
 
 #include "calibrate/small_job.hpp"
 #include "percal/calibrate/page/page.hpp"
+#include "percal/page/text.hpp"
 
 namespace percal {
 namespace {
@@ -28,6 +29,16 @@ TEST_F(CalibrationJson, HasTheInputTheVersionAndTheCost) {
   EXPECT_EQ(result["cost"]["budget_s"], 60);
   EXPECT_TRUE(result["schema"].is_number_integer());
   EXPECT_TRUE(result["percal"].is_string());
+}
+
+TEST_F(CalibrationJson, HasThePiecesOfARegionAndThePageHasThemInWords) {
+  const auto job = read_job();
+  auto result = calibrate_test::made_up_result(job);
+  result.hypotheses[0].intervals[2].region = {{5, 6}, {9, 12}};
+  const json made = calibration_to_json(job, result);
+  EXPECT_EQ(made["hypotheses"][0]["parameters"][2]["region"], json::parse("[[5.0, 6.0], [9.0, 12.0]]"));
+  EXPECT_TRUE(made["hypotheses"][0]["parameters"][0].contains("region_Pa"));
+  EXPECT_THAT(page::as_text(calibrate_page(made), {.detail = page::Detail::more}), HasSubstr("5 to 6 or 9 to 12"));
 }
 
 TEST_F(CalibrationJson, PutsUnitsIntoTheNamesOfKeys) {

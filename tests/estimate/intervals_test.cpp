@@ -44,6 +44,63 @@ TEST(ProfileIntervals, WithKnownErrorsAreTheNormalDistributions) {
   EXPECT_NEAR(intervals[1].interval.high, minimum.searched[1] + 1.959964 * deviation(minimum, 1), 1e-6);
 }
 
+// y = 4 x^2 does not tell x from -x.
+CalibrationProblem two_basins() {
+  CalibrationProblem problem;
+  problem.parameters = {linear_parameter("x", -3, 3)};
+  problem.groups = {{.name = "line"}};
+  const double noise[] = {0.11, -0.08, 0.02, -0.13, 0.07, 0.04, -0.06, 0.05};
+  for (int i = 0; i < 8; ++i) problem.data.push_back({.label = fmt::format("y{}", i), .value = 4 + noise[i]});
+  problem.model = model_of(8, [](const Eigen::VectorXd& at, int) {
+    return ValueAndGradient{4 * at[0] * at[0], VectorXd::Constant(1, 8 * at[0])};
+  });
+  return problem;
+}
+
+TEST(RegionIntervals, HoldAPieceAboutEveryMinimumThatFitsAboutAsWell) {
+  const auto problem = two_basins();
+  const auto minima = find_minima(problem, quick);
+  ASSERT_EQ(minima.size(), 2u);
+  const auto around = profile_intervals(problem, minima[0], 0.95, quick)[0];
+  const auto found = region_intervals(problem, minima, 0.95, quick)[0];
+  ASSERT_EQ(found.region.size(), 2u);
+  EXPECT_NEAR(found.region[0].low, -found.region[1].high, 1e-5);
+  EXPECT_NEAR(found.region[0].high, -found.region[1].low, 1e-5);
+  const auto& piece = found.region[minima[0].searched[0] < 0 ? 0 : 1];
+  EXPECT_NEAR(piece.low, around.interval.low, 1e-9);
+  EXPECT_NEAR(piece.high, around.interval.high, 1e-9);
+  EXPECT_EQ(found.interval.low, found.region[0].low);
+  EXPECT_EQ(found.interval.high, found.region[1].high);
+  EXPECT_THAT(findings(problem, minima, {found}),
+              Contains(HasSubstr("The data do not choose between 2 minima: x is -1.0")));
+}
+
+TEST(RegionIntervals, LeaveOutAMinimumThatTheDataRuleOut) {
+  auto problem = two_basins();
+  const auto minima = find_minima(problem, quick);
+  ASSERT_EQ(minima.size(), 2u);
+  auto worse = minima;
+  const double t = student_quantile(0.975, 7);
+  worse[1].deviance = minima[0].deviance + 0.5 * t * t;
+  const auto half = region_intervals(problem, worse, 0.95, quick)[0].region;
+  ASSERT_EQ(half.size(), 2u);  // what is left of the threshold is half of it, so the piece is narrower by its root
+  const bool first_is_low = minima[0].searched[0] < 0;
+  const auto width = [](const Interval& piece) { return piece.high - piece.low; };
+  EXPECT_NEAR(width(half[first_is_low ? 1 : 0]) / width(half[first_is_low ? 0 : 1]), std::sqrt(0.5), 0.01);
+  worse[1].deviance = minima[0].deviance + 1.01 * t * t;
+  EXPECT_EQ(region_intervals(problem, worse, 0.95, quick)[0].region.size(), 1u);
+}
+
+TEST(RegionIntervals, JoinPiecesThatOverlap) {
+  const Region joined = united({{3, 5}, {1, 2}, {4, 6, false, true}, {1.5, 1.8}});
+  ASSERT_EQ(joined.size(), 2u);
+  EXPECT_EQ(joined[0].high, 2);
+  EXPECT_EQ(joined[1].low, 3);
+  EXPECT_EQ(joined[1].high, 6);
+  EXPECT_TRUE(joined[1].high_open);
+  EXPECT_EQ(words_of(joined, [](double value) { return fmt::format("{}", value); }), "1 to 2 or 3 to 6");
+}
+
 // The profile over k of the curve, from the closed form of m: rise = (S(k) - S)/s^2 with S the sum of squares.
 TEST(ProfileIntervals, TheEndsOfACurvesAreWhereTheSumOfSquaresSaysSo) {
   const auto problem = curve_problem(15, 1.3, 2.1, 0.4, 11);

@@ -1,5 +1,6 @@
 #include "percal/fit/compare_models.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,6 +70,15 @@ TEST(CompareModels, OneTestIsLeftUnpredictedAndTooFewPointsAreSaid) {
   EXPECT_EQ(model_in(models, Model::ogden).mean_relative_deviation, std::nullopt);
   EXPECT_FALSE(model_in(models, Model::ogden3).fit.has_value());
   EXPECT_NE(model_in(models, Model::ogden3).why_not, "");
+}
+
+// Three terms on Treloar's tension: one of them has 6e-28 Pa at alpha = 40 and stands for the last points.
+TEST(CompareModels, AFitWithATermThatIsNothingIsNotRanked) {
+  const auto tension = read_curves({PERCAL_DATA "/public/treloar1944_rubber_primary.csv"}, {.where = {"mode=UT"}});
+  const auto models = compare_models(tension, {.residual = Residual::absolute});
+  EXPECT_THAT(model_in(models, Model::ogden3).not_ranked, testing::HasSubstr("alpha = 40, the bound of the search"));
+  EXPECT_THAT(model_in(models, Model::ogden3).not_ranked, testing::HasSubstr("which is nothing"));
+  EXPECT_EQ(model_in(models, Model::ogden).not_ranked, "");
 }
 
 TEST(CompareModels, AShareOfALeftOutTestDoesNotStandInTheWay) {

@@ -205,5 +205,36 @@ TEST(FitCurves, TensionAndCompressionAreTwoTestsAndFilesAreToldApart) {
   EXPECT_EQ(tests[0].name, "treloar1944_rubber_primary uniaxial tension");
 }
 
+CurveData treloar_tension() {
+  return read_curves({PERCAL_DATA "/public/treloar1944_rubber_primary.csv"}, {.where = {"mode=UT"}});
+}
+
+// The last points draw one exponent to the bound; the others are where an independent constrained search has them.
+TEST(FitCurves, BesideAnExponentAtTheBoundTheOthersReachTheirMinimum) {
+  const auto fit = fit_curves(treloar_tension(), {.model = Model::ogden3, .residual = Residual::absolute});
+  const auto& best = fit.minima.at(0);
+  EXPECT_TRUE(best.at_bound && best.converged);
+  EXPECT_NEAR(best.objective / 4.4777458e10, 1, 1e-7);
+  EXPECT_EQ(best.solid.terms.at(0).alpha, 40);
+  EXPECT_NEAR(best.solid.terms.at(1).alpha, 7.134492, 1e-4);
+  EXPECT_NEAR(best.solid.terms.at(1).mu, 45.5750, 1e-3);
+  EXPECT_NEAR(best.solid.terms.at(2).alpha, -4.179757, 1e-4);
+  EXPECT_NEAR(best.solid.terms.at(2).mu, 532065.9, 5);
+  for (std::size_t i = 0; i + 1 < fit.minima.size(); ++i)  // none twice
+    EXPECT_GT(fit.minima[i + 1].objective / fit.minima[i].objective, 1 + 1e-9);
+}
+
+TEST(FitCurves, ANegativeSumOfModuliIsTheReasonWhereItIs) {
+  const auto fit = fit_curves(treloar_tension(),
+                              {.model = Model::mooney_rivlin, .residual = Residual::absolute, .signs = Signs::free});
+  EXPECT_TRUE(fit.minima.empty());
+  EXPECT_THAT(findings(fit).at(0), HasSubstr("C10 + C01 = 409 kPa - 751.2 kPa"));
+  EXPECT_NEAR(fit_curves(treloar_tension(), {.model = Model::mooney_rivlin, .residual = Residual::absolute})
+                  .minima.at(0)
+                  .solid.terms.at(0)
+                  .mu,
+              570.8e3, 100);
+}
+
 }  // namespace
 }  // namespace percal

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "percal/fit/curve_calibration.hpp"
@@ -41,11 +42,11 @@ std::string all(const std::vector<std::string>& sentences) {
 double rise(const CurveData& data, double alpha, double best_alpha) {
   const auto smallest = [&](double at) {
     double product = 0, square = 0, sum = 0;
-    for (const auto& [strained, stress, error, source] : data.points) {
+    for (const auto& [strained, stress, error, source, rows] : data.points) {
       const double unit = nominal_stress(Ogden{1, at}, strained) / stress;
       product += unit, square += unit * unit;
     }
-    for (const auto& [strained, stress, error, source] : data.points)
+    for (const auto& [strained, stress, error, source, rows] : data.points)
       sum += std::pow(1 - product / square * nominal_stress(Ogden{1, at}, strained) / stress, 2);
     return sum;
   };
@@ -56,12 +57,12 @@ TEST(Uncertainty, TheIntervalOfALinearParameterIsStudentsInterval) {
   const auto data = noisy({.low = 0.9, .high = 1.1}, {.absolute = 100});
   const auto result = of(data, {.model = Model::neo_hooke, .residual = Residual::absolute});
   double product = 0, square = 0, sum = 0;
-  for (const auto& [strained, stress, error, source] : data.points) {
+  for (const auto& [strained, stress, error, source, rows] : data.points) {
     const double unit = nominal_stress(Ogden{1, 2}, strained);
     product += unit * stress, square += unit * unit;
   }
   const double mu = product / square;
-  for (const auto& [strained, stress, error, source] : data.points)
+  for (const auto& [strained, stress, error, source, rows] : data.points)
     sum += std::pow(stress - mu * nominal_stress(Ogden{1, 2}, strained), 2);
   const int degrees = static_cast<int>(data.points.size()) - 1;
   const double half = student_quantile(0.975, degrees) * std::sqrt(sum / degrees / square);
@@ -122,6 +123,24 @@ TEST(Uncertainty, PlanarTensionHasAnIntervalForEachSignOfAlpha) {
   EXPECT_NEAR(one.interval.high, -other.interval.low, 1e-4);
   EXPECT_GT(std::min(std::abs(one.interval.low), std::abs(one.interval.high)), 0);
   EXPECT_THAT(all(result.findings), HasSubstr("for its own sign"));
+}
+
+// Of short tension whose best minimum has the wrong exponent.
+TEST(Uncertainty, TheRegionHoldsATruthThatTheBestMinimumMisses) {
+  constexpr Ogden solid{.mu = 20e3, .alpha = -5};
+  const auto holds = [&](const Interval& piece) { return piece.low <= solid.alpha && solid.alpha <= piece.high; };
+  for (const unsigned seed : {33u, 34u}) {
+    NormalNumbers normal(seed);
+    const auto data =
+        test::noisy_curve(solid, test::states({.points = 20, .low = 1.03, .high = 1.6}), {.absolute = 630}, normal);
+    const auto result = of(data, {.residual = Residual::absolute});
+    const ParameterRegion& alpha = result.region.at(1);
+    EXPECT_EQ(alpha.name, "alpha");
+    EXPECT_FALSE(holds(result.minima.at(0).parameters.at(1).interval)) << seed;
+    ASSERT_EQ(alpha.pieces.size(), 2u) << seed;
+    EXPECT_TRUE(holds(alpha.pieces[0])) << seed;
+    EXPECT_THAT(all(result.findings), HasSubstr("The data do not choose between 2 minima")) << seed;
+  }
 }
 
 TEST(Uncertainty, StandardErrorsThatTheResidualsBearOutAreUsed) {

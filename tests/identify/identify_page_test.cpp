@@ -34,9 +34,7 @@ TEST_F(IdentifyPage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
   Keys keys;
   collect(text_of(test::guha2009 + "skin.toml"), keys);
   collect(text_of(test::test_data + "liver/liver.toml"), keys);
-  // Neither job has cases by diameter or with densities in a column: the keys of [[predictions]].
-  for (const char* key : {"particle_column", "particle_density_column", "diameter_column"})
-    keys["[scaled_line.cases]"].insert(key);
+  keys["[scaled_line.cases]"].insert("particle_column");  // as in [[predictions]]
   // Read only where they are there.
   for (const char* block : {"[gelatin.formulations]", "[alpha.target]", "[[predictions]]", "[[trends]]",
                             "[scaled_line.shots]", "[scaled_line.cases]"})

@@ -62,7 +62,7 @@ const std::vector<BadJob> bad_jobs{
      {{"speed = \"120", "sped = \"1 m/s\"\nspeed = \"120"}},
      "liver.toml:31: calibration.sped: found",
      "unknown key (did you mean speed?)",
-     "accepted: particle, radius"},
+     "accepted: particle, radius, diameter"},
     {"UnknownBlock",
      {{"[ridge]", "[rigde]\nx = 1\n[ridge]"}},
      "liver.toml:[0-9]+: rigde: found",

@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -33,6 +34,15 @@ class AFit(unittest.TestCase):
             low, high = fit.intervals[name][:2]
             self.assertLess(low, value)
             self.assertGreater(high, value)
+
+    def test_has_the_region_of_every_minimum_that_fits_as_well(self):
+        plain = percal.fit(STRETCH, noisy())
+        self.assertEqual(plain.region["alpha"], [plain.intervals["alpha"][:2]])
+        even = percal.fit(STRETCH, percal.nominal_stress(GEL, STRETCH, "planar") * np.tile([1.01, 0.99], 5), mode="planar")
+        (low, high), (other_low, other_high) = even.region["alpha"]
+        self.assertAlmostEqual(low, -other_high, places=3)
+        self.assertAlmostEqual(high, -other_low, places=3)
+        self.assertRegex(repr(even), r"alpha = .* \[.*\] or \[.*\]")
 
     def test_has_the_covariance_of_its_intervals(self):
         fit = percal.fit(STRETCH, noisy())
@@ -79,6 +89,20 @@ class AFit(unittest.TestCase):
         again = percal.fit(of_file.stretch, of_file.stress, mode=of_file.mode)
         self.assertEqual(of_file.mu, again.mu)
         self.assertAlmostEqual(of_file.mu / 11.64e3, 1, delta=0.05)
+
+    def test_of_files_takes_a_mode_for_each(self):
+        treloar = os.path.join(DATA, "public", "treloar1944_rubber_primary.csv")
+        points = percal.fit_csv(treloar, where="stretch<3")
+        with tempfile.TemporaryDirectory() as folder:
+            files = {}
+            for mode in ("uniaxial", "equibiaxial", "planar"):
+                files[os.path.join(folder, mode + ".csv")] = mode
+                with open(os.path.join(folder, mode + ".csv"), "w") as file:
+                    file.write("stretch,stress_Pa\n")
+                    for stretch, stress, of in zip(points.stretch, points.stress, points.mode):
+                        if of == mode:
+                            file.write(f"{float(stretch)!r},{float(stress)!r}\n")
+            self.assertAlmostEqual(percal.fit_csv(list(files), mode=files).mu, points.mu, delta=1e-6 * points.mu)
 
     def test_of_a_file_has_the_result_that_the_program_writes(self):
         path = os.path.join(DATA, "synthetic", "gelatin_12wt_quasistatic.csv")

@@ -127,7 +127,7 @@ TEST(ParticleToml, InAnAxisymmetricSceneAProfileIsItsOwnMirrorImageOrItsRightHal
 
 TEST(ParticleToml, AKeyOfAnotherShapeIsRefused) {
   for (const char* key : {"side = \"1 mm\"", "tip_angle = \"60 deg\"", "orientation = \"1 deg\"",
-                          "rotation = \"fixed\"", "vertices = \"a.csv\"", "mass = \"1 g\"", "thickness = \"1 mm\""})
+                          "rotation = \"fixed\"", "vertices = \"a.csv\""})
     EXPECT_THAT(refusal(plane, sphere + key + "\n"), HasSubstr("found this beside shape = \"sphere\"")) << key;
   EXPECT_THAT(refusal(plane, rhombus + density + "radius = \"3 mm\"\n"),
               AllOf(HasSubstr("scene.toml:8: particle.radius"), HasSubstr("half the width")));
@@ -148,7 +148,24 @@ TEST(ParticleToml, ShapesBelongToAGeometry) {
   EXPECT_THAT(refusal("spherical", sphere), HasSubstr("scene.toml:1: geometry: found \"spherical\""));
 }
 
+TEST(ParticleToml, ABallIsGivenByItsDiameterAndItsMass) {
+  const Scene bb = read(axisymmetric, "diameter = \"0.177 in\"\nmass = \"5.4 gr\"\n");
+  EXPECT_DOUBLE_EQ(bb.particle.radius, 0.177 * 0.0254 / 2);
+  EXPECT_NEAR(bb.particle.density, 7354.3, 0.1) << "0.34991 g over 47.580 mm3";
+  EXPECT_EQ(read(axisymmetric, "diameter = \"6 mm\"\n" + density), read(axisymmetric, sphere));
+  const Scene rod = read(plane, "diameter = \"6 mm\"\nmass = \"2 g\"\nthickness = \"4 mm\"\n");
+  EXPECT_DOUBLE_EQ(rod.particle.density, 0.5 / (std::numbers::pi * 9e-6));
+  EXPECT_DOUBLE_EQ(read(axisymmetric, "shape = \"cone\"\ndiameter = \"6 mm\"\ntip_angle = \"90 deg\"\n" + density)
+                       .particle.radius,
+                   3e-3);
+}
+
 TEST(ParticleToml, MassesAreGivenInOneWay) {
+  EXPECT_THAT(refusal(axisymmetric, sphere + "diameter = \"6 mm\"\n"), HasSubstr("particle.radius: found this beside"));
+  EXPECT_THAT(refusal(axisymmetric, sphere + "mass = \"1 g\"\n"), HasSubstr("particle.mass: found this beside density"));
+  EXPECT_THAT(refusal(plane, "radius = \"3 mm\"\nmass = \"1 g\"\n"), HasSubstr("this without a thickness"));
+  EXPECT_THAT(refusal(plane, rhombus + density + "diameter = \"3 mm\"\n"), HasSubstr("half the width"));
+
   EXPECT_THAT(refusal(plane, rhombus), HasSubstr("particle.density: found no such key"));
   EXPECT_THAT(refusal(plane, rhombus + density + mass), HasSubstr("particle.mass: found this beside density"));
   EXPECT_THAT(refusal(plane, rhombus + "mass = \"1 g\"\n"), HasSubstr("this without a thickness"));

@@ -178,7 +178,7 @@ TEST(SceneToml, AModulusInMuOverAlphaTakesTheSignOfAlpha) {
 
 TEST(SceneToml, UnknownAndMissingKeysAreRefused) {
   EXPECT_THAT(refusal(with_target("poisson = 0.4")),
-              HasSubstr("scene.toml:11: target.poisson: found an unknown key; accepted: name, density"));
+              HasSubstr("scene.toml:11: target.poisson: found an unknown key (did you mean nu?); accepted: name, density"));
   EXPECT_THAT(refusal(with_target("[solver]\nhourglas = 1")), HasSubstr("did you mean hourglass?"));
   EXPECT_THAT(refusal(particle + target + "[extra]\n"), HasSubstr("extra: found an unknown key"));
   EXPECT_THAT(refusal(target), HasSubstr("particle: found no such key"));

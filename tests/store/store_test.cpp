@@ -11,6 +11,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <thread>
 
@@ -279,6 +280,53 @@ TEST_F(StoreTest, TakesInWhatItHasNotAndKeepsWhatItHas) {
   EXPECT_EQ(here.note("ladder"), "text");
   EXPECT_EQ(here.take_in(there), 0);
   EXPECT_EQ(there.size(), 2);
+}
+
+TEST_F(StoreTest, ACopyHasWhatAKilledWriterLeftAndTouchesNothing) {
+  fs::create_directories(folder / "source");
+  const std::string source = (folder / "source" / "killed.store").string();
+  const pid_t child = in_child([&] {
+    Store store(source);
+    for (int i = 0; i < 5; ++i) store.put(std::to_string(i), stopped);
+    kill(getpid(), SIGKILL);  // its rows are in the log
+  });
+  exit_code(child);
+  const auto state = [&] {
+    std::map<std::string, std::pair<std::string, fs::file_time_type>> all;
+    for (const auto& entry : fs::directory_iterator(folder / "source")) {
+      std::ostringstream text;
+      text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+      all[entry.path().filename().string()] = {text.str(), entry.last_write_time()};
+    }
+    return all;
+  };
+  const auto before = state();
+  ASSERT_TRUE(before.contains("killed.store-wal"));
+  for (const auto& entry : fs::directory_iterator(folder / "source"))
+    fs::permissions(entry.path(), fs::perms::owner_read);
+  fs::permissions(folder / "source", fs::perms::owner_read | fs::perms::owner_exec);
+  {
+    const Store copy = Store::copy_of(source);
+    EXPECT_EQ(copy.size(), 5);
+    EXPECT_EQ(copy.find("4"), stopped);
+    EXPECT_EQ(copy.path(), source);
+    Store here(file);
+    EXPECT_EQ(here.take_in(copy), 5);
+  }
+  EXPECT_EQ(state(), before);
+  fs::permissions(folder / "source", fs::perms::owner_all);
+}
+
+TEST_F(StoreTest, ACopyOfWhatIsNoStoreNamesIt) {
+  std::ofstream(file) << std::string(5000, 'x');
+  for (const std::string& path : {file, (folder / "nowhere").string()}) {
+    try {
+      Store::copy_of(path);
+      ADD_FAILURE() << path;
+    } catch (const IoFailure& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith(path));
+    }
+  }
 }
 
 TEST_F(StoreTest, AnUnwritablePlaceIsAnIoFailure) {

@@ -5,14 +5,17 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <random>
 
 #include "percal/text/csv_cells.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace percal {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -214,7 +217,7 @@ TEST(Csv, HostileTextIsReadOrRefusedButNeverCrashes) {
       const auto table = parse_csv(text, "hostile.csv");
       for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
         for (const auto& row : table.rows)
-          ASSERT_EQ(row.cells.size(), table.columns.size()) << "seed " << seed << " round " << round;
+          ASSERT_EQ(table.cells(row).size(), table.columns.size()) << "seed " << seed << " round " << round;
         for (const double value : table.numbers(i, dimension::none)) ASSERT_TRUE(std::isfinite(value));
       }
       ++read;
@@ -225,6 +228,41 @@ TEST(Csv, HostileTextIsReadOrRefusedButNeverCrashes) {
   }
   EXPECT_GT(read, 0);
   EXPECT_GT(refused, 100);
+}
+
+TEST(Csv, RowsAreChosenByComparisonToo) {
+  const CsvTable table = parse_csv("test;strain;stress_kPa\na;0,5;1\na;1,0;2\nb;1,5;3\n", "t.csv");
+  const auto lines = [&](const std::vector<std::string>& conditions) {
+    std::vector<int> all;
+    for (const auto& row : table.where(conditions).rows) all.push_back(row.line);
+    return all;
+  };
+  EXPECT_THAT(lines({"strain<1"}), ElementsAre(2));
+  EXPECT_THAT(lines({"strain <= 1,0"}), ElementsAre(2, 3));
+  EXPECT_THAT(lines({"strain>0.5", "test=a"}), ElementsAre(3));
+  EXPECT_THAT(lines({"strain>=1"}), ElementsAre(3, 4));
+  EXPECT_THAT(lines({"test!=a"}), ElementsAre(4));
+  const auto refused = [&](const std::string& condition) { return refusal([&] { table.where({condition}); }); };
+  EXPECT_THAT(refused("strain<2<3"), HasSubstr("a number behind <"));
+  EXPECT_THAT(refused("strain>2"), HasSubstr("no row with > \"2\""));
+  EXPECT_THAT(refused("test<2"), HasSubstr("t.csv:2: test: found"));
+  EXPECT_THAT(refused("strain!2"), HasSubstr("COLUMN<NUMBER"));
+}
+
+TEST(Csv, ATableTakesLessThanFiveBytesForEachOfItsFile) {
+  std::string text = "a,b\n";
+  for (int i = 0; i < 10000; ++i) text += "1,2\n";
+  const CsvTable table = parse_csv(text, "t.csv");
+  EXPECT_LE(table.text->capacity() + table.rows.capacity() * sizeof(CsvRow), 5 * text.size());
+  EXPECT_EQ(table.cell(table.rows[9999], 1), "2");
+}
+
+TEST(Csv, AFileAbove64MiBIsRefusedBeforeItIsRead) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path("large.csv");
+  std::ofstream(file) << "a,b\n1,2\n";
+  std::filesystem::resize_file(file, largest_csv + (std::size_t{8} << 20));
+  EXPECT_THAT(refusal([&] { read_csv(file); }), AllOf(HasSubstr("found a file of 72 MiB"), HasSubstr("64 MiB")));
 }
 
 }  // namespace

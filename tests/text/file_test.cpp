@@ -3,14 +3,18 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "percal/base/error.hpp"
+#include "percal/base/inputs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -94,6 +98,61 @@ TEST_F(File, AnUnwritableFolderIsAnIoFailureThatNamesThePath) {
   EXPECT_THROW(write_file(folder.string(), "text"), IoFailure);
   EXPECT_THROW(write_file("", "text"), IoFailure);
   EXPECT_THROW(ensure_writable_folder(path("regular")), IoFailure);
+}
+
+TEST_F(File, WhatKilledProcessesHaveLeftIsTidiedAndNothingOfThoseThatLive) {
+  fs::create_directories(path("a"));
+  const std::string dead = path("a/.percal-1-0.tmp"), living = path("a/.percal-2-0.tmp"), other = path("a/notes.tmp");
+  for (const std::string& file : {dead, living, other}) std::ofstream(file) << "half of it";
+  const int locked = open(living.c_str(), O_RDWR);
+  ASSERT_EQ(flock(locked, LOCK_EX), 0);
+  write_file(path("a/result.json"), "text");
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(living));
+  EXPECT_TRUE(fs::exists(other));
+  close(locked);
+}
+
+TEST_F(File, ALeftoverOfAProcessOfTheSameNumberIsInNobodysWay) {
+  const pid_t child = fork();  // whose first names would be these
+  if (child == 0) {
+    const std::string own = ".percal-" + std::to_string(getpid()) + "-";
+    for (int k = 0; k < 20; ++k) {
+      std::ofstream(path(own + std::to_string(k) + ".tmp")) << "x";
+      chmod(path(own + std::to_string(k) + ".tmp").c_str(), 0);
+    }
+    try {
+      write_file(path("result.json"), "text");
+    } catch (const std::exception&) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(read_file(path("result.json")), "text");
+}
+
+TEST_F(File, AnInputIsNotReplacedWhileInputsAreKept) {
+  write_file(path("in"), "in");
+  fs::create_hard_link(path("in"), path("hard"));
+  fs::create_symlink("in", path("soft"));
+  {
+    const InputsAreKept kept;
+    read_output(path("in"));
+    EXPECT_NO_THROW(write_file(path("in"), "in")) << "looked at, not read";
+    fs::remove(path("hard"));
+    fs::create_hard_link(path("in"), path("hard"));
+    read_file(path("in"));
+    for (const char* name : {"in", "hard", "soft"}) {
+      EXPECT_THROW(write_file(path(name), "out"), BadInput) << name;
+      EXPECT_THROW(ensure_writable_file(path(name)), BadInput) << name;
+    }
+    write_file(path("out"), "out");
+  }
+  EXPECT_EQ(read_file(path("in")), "in");
+  EXPECT_NO_THROW(write_file(path("in"), "out")) << "a program that uses the library may";
 }
 
 TEST_F(File, AWritableFolderIsLeftEmpty) {

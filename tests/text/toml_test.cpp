@@ -72,8 +72,14 @@ TEST(Toml, ThePathOfADottedOrImplicitTableIsFull) {
 
 TEST(Toml, AMissingKeyPointsAtTheTableAndAtTheMisspeltKey) {
   EXPECT_THAT(refusal("\n[particle]\nspeed = 1\nradus = \"1 um\"", radius_of),
-              StartsWith("folder/scene.toml:2: particle.radius: found no such key (line 4 has \"radus\"); accepted: a "
-                         "positive length"));
+              StartsWith("folder/scene.toml:2: particle.radius: found no such key (line 4 has \"radus\": did you "
+                         "mean radius?); accepted: a positive length"));
+  const auto speed_of = [](const TomlTable& root) {
+    root.table("particle").quantity("speed", dimension::speed, positive());
+  };
+  EXPECT_THAT(refusal("[particle]\nvelocity = \"1 m/s\"", speed_of),
+              HasSubstr("particle.speed: found no such key (line 2 has \"velocity\": did you mean speed?)"));
+  EXPECT_THAT(refusal("[projectile]\nspeed = \"1 m/s\"", speed_of), HasSubstr("\"projectile\": did you mean particle?"));
 }
 
 TEST(Toml, AnUnknownKeyIsRefusedWithTheNearestAndTheAcceptedOnes) {

@@ -13,7 +13,7 @@ WRITERS = {"scene_to_toml.cpp"}
 GETTERS = ("quantity|quantities|quantity_pairs|optional_quantity|number|numbers|optional_number|integer|optional_integer|flag|text"
            "|texts|optional_text|word|table|tables|optional_table|path|optional_path|knows|has|is_array|is_text")
 # Functions of the readers that hand a key on: the key is their first or second argument.
-HELPERS = ("share|choice|angle|column_of|column_index|share_from|optional_share_from|number_from|for_each_row|layer_size|lengths"
+HELPERS = ("share|choice|angle|column_of|column_index|share_from|optional_share_from|number_from|values_of_rows|one_of|one_of_rows|layer_size|lengths"
            "|in_own_unit|filter_from|rows_meeting|check_exponent")
 LITERALS = [re.compile(rf'(?:\.|->)(?:{GETTERS})\(\s*"([^"]+)"'),
             re.compile(rf'\b(?:{HELPERS})\((?:\*?\w+,\s*)?"([^"]+)"'),

@@ -23,6 +23,24 @@ TEST_F(Terminal, ErrorsAreRed) { EXPECT_THAT(on_terminal({"impact", "nowhere.tom
 
 TEST_F(Terminal, HeadersOfTablesAreBold) { EXPECT_THAT(on_terminal({"fit", curve}), HasSubstr("\033[1m  ")); }
 
+TEST_F(Terminal, NamesMoveNothing) {
+  const std::string evil = "\\u001b[31mevil\\u001b]0;title\\u0007";  // as TOML writes it
+  std::string text = text_of(scene);
+  text.replace(text.find("tungsten carbide"), 16, evil);
+  text.replace(text.find("name = \"layer\""), 14, "name = \"" + evil + "\"");
+  const std::string file = "a\033[31mb.toml";
+  write(file, text);
+  write("unknown.toml", text + "\n[\"" + evil + "\"]\n");
+  std::string seen = on_terminal({"impact", file, "--store", "a.store"}, {{"NO_COLOR", "1"}});
+  seen += on_terminal({"impact", "unknown.toml"}, {{"NO_COLOR", "1"}});
+  seen += on_terminal({"impact", "no\033[31mwhere.toml"}, {{"NO_COLOR", "1"}});
+  seen += on_terminal({"fit", "no\033[31mwhere.csv"}, {{"NO_COLOR", "1"}});
+  seen += on_terminal({"report", "a\033[31mb.out/result.json"}, {{"NO_COLOR", "1"}});
+  seen += on_terminal({"report", "--\033[31m"}, {{"NO_COLOR", "1"}});
+  EXPECT_THAT(seen, AllOf(Not(HasSubstr("\033[31m")), Not(HasSubstr("\033]")), Not(HasSubstr("\007"))));
+  EXPECT_THAT(seen, HasSubstr("\\x1b[31mevil"));
+}
+
 TEST_F(Terminal, NothingIsColouredWhereNoColorIsSet) {
   EXPECT_THAT(on_terminal({"fit", curve}, {{"NO_COLOR", "1"}}), Not(HasSubstr(escape + "1m")));
   EXPECT_THAT(on_terminal({"impact", "nowhere.toml"}, {{"NO_COLOR", "1"}}), Not(HasSubstr(escape)));

@@ -56,6 +56,16 @@ TEST(Quantity, AUnitIsComposedOfFactorsWithPowers) {
 TEST(Quantity, UnitsThatAreNoPowersOfTen) {
   EXPECT_DOUBLE_EQ(value("1 in", dimension::length), 0.0254);
   EXPECT_DOUBLE_EQ(value("10 ft", dimension::length), 3.048);
+  EXPECT_DOUBLE_EQ(value("0.177 inch", dimension::length), 0.0044958);
+  EXPECT_DOUBLE_EQ(value("40 mil", dimension::length), 1.016e-3);
+  EXPECT_DOUBLE_EQ(value("590 fps", dimension::speed), 179.832);
+  EXPECT_DOUBLE_EQ(value("590 ft/s", dimension::speed), 179.832);
+  EXPECT_DOUBLE_EQ(value("100 mph", dimension::speed), 44.704);
+  EXPECT_DOUBLE_EQ(value("5.4 gr", dimension::mass), 3.49914114e-4);
+  EXPECT_DOUBLE_EQ(value("7000 grain", dimension::mass), 0.45359237);
+  EXPECT_DOUBLE_EQ(value("16 oz", dimension::mass), value("1 lb", dimension::mass));
+  EXPECT_DOUBLE_EQ(value("0.284 lb/in3", dimension::density), 7861.0929376976865);
+  EXPECT_DOUBLE_EQ(value("30 ksi", dimension::pressure), 30e3 * 6894.757293168361);
   EXPECT_DOUBLE_EQ(value("1 psi", dimension::pressure), 6894.757293168361);
   EXPECT_DOUBLE_EQ(value("36 km/h", dimension::speed), 10);
   EXPECT_DOUBLE_EQ(value("2 min", dimension::time), 120);

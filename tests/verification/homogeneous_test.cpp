@@ -171,8 +171,8 @@ TEST(Homogeneous, TheIncompressibleStressIsApproachedAsOneOverK) {
   const CsvTable table = exact_table("ogden_homogeneous_stress.csv");
   std::vector<double> per_bulk, errors;
   for (const auto& row : table.rows) {
-    if (std::stod(row.cells[0]) != 3 || std::stod(row.cells[1]) != 1.5) continue;
-    const double exact = std::stod(row.cells[table.column("P_UT")]);
+    if (std::stod(table.cell(row, 0)) != 3 || std::stod(table.cell(row, 1)) != 1.5) continue;
+    const double exact = std::stod(table.cell(row, table.column("P_UT")));
     for (const double bulk : {50.0, 200.0, 1000.0, 5000.0}) {
       const BodySolid solid{.mu = 1, .bulk = bulk, .alpha = 3};
       const double across = root([&](double s) { return closed_form(solid, gradient_of(s, 0, 0, 1.5, s))(0, 0); });

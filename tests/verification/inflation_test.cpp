@@ -67,9 +67,9 @@ std::vector<Load> thick_shell(Shell shell, double alpha) {
   const CsvTable table = exact_table("thick_shell_inflation_static.csv");
   std::vector<Load> loads;
   for (const auto& row : table.rows)
-    if (row.cells[0] == (is_sphere(shell) ? "sphere" : "cylinder") && std::stod(row.cells[1]) == alpha &&
-        std::stod(row.cells[2]) == 2)
-      loads.push_back({std::stod(row.cells[3]), std::stod(row.cells[5]), 0});
+    if (table.cell(row, 0) == (is_sphere(shell) ? "sphere" : "cylinder") && std::stod(table.cell(row, 1)) == alpha &&
+        std::stod(table.cell(row, 2)) == 2)
+      loads.push_back({std::stod(table.cell(row, 3)), std::stod(table.cell(row, 5)), 0});
   EXPECT_EQ(loads.size(), 5u);
   return loads;
 }
@@ -97,9 +97,9 @@ std::vector<Load> cavity(Shell shell, double alpha, double outer) {
   const double n = is_sphere(shell) ? 3 : 2;
   std::vector<Load> loads;
   for (const auto& row : table.rows) {
-    const double stretch = std::stod(row.cells[1]);
-    if (std::stod(row.cells[0]) != alpha || stretch < 1.2 || stretch > 3) continue;
-    const double inside = std::stod(row.cells[is_sphere(shell) ? 2 : 3]);
+    const double stretch = std::stod(table.cell(row, 1));
+    if (std::stod(table.cell(row, 0)) != alpha || stretch < 1.2 || stretch > 3) continue;
+    const double inside = std::stod(table.cell(row, is_sphere(shell) ? 2 : 3));
     EXPECT_NEAR(infinite_medium(shell, alpha, stretch), inside, 1e-6 * inside);
     const double outer_stretch = std::pow(1 + (std::pow(stretch, n) - 1) / std::pow(outer, n), 1 / n);
     loads.push_back({stretch, inside, infinite_medium(shell, alpha, outer_stretch)});

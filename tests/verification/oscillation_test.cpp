@@ -36,10 +36,11 @@ void meets_the_table(Shell shell, double alpha, double pressure, const ShellMesh
   const CsvTable table = exact_table("shell_radial_oscillation.csv");
   bool met = false;
   for (const auto& row : table.rows) {
-    if (row.cells[0] != (is_sphere(shell) ? "sphere" : "cylinder") || row.cells[2] != "2.0") continue;
-    if (std::stod(row.cells[1]) != alpha || std::stod(row.cells[3]) != pressure) continue;
+    if (table.cell(row, 0) != (is_sphere(shell) ? "sphere" : "cylinder") || table.cell(row, 2) != "2.0") continue;
+    if (std::stod(table.cell(row, 1)) != alpha || std::stod(table.cell(row, 3)) != pressure) continue;
     met = true;
-    const double middle = std::stod(row.cells[4]), top = std::stod(row.cells[5]), period = std::stod(row.cells[6]);
+    const double middle = std::stod(table.cell(row, 4)), top = std::stod(table.cell(row, 5)),
+                 period = std::stod(table.cell(row, 6));
     double before = 10;
     for (const double bulk : {50.0, 200.0, 1000.0}) {
       const Swing found = swing(shell, mesh, {.mu = 1, .bulk = bulk, .alpha = alpha}, pressure, middle, 1.4 * period);

@@ -56,10 +56,10 @@ inline double linear_exact(const std::string& problem, const std::string& inputs
   const CsvTable table = exact_table("linear_and_wave_exact.csv");
   std::string stated;
   for (const auto& row : table.rows) {
-    if (!row.cells[1].starts_with("same")) stated = row.cells[1];
-    const std::string& here = row.cells[1].starts_with(inputs) ? row.cells[1] : stated;
-    if (row.cells[0] == problem && here.starts_with(inputs) && row.cells[2].starts_with(quantity))
-      return std::stod(row.cells[3]);
+    const auto cells = table.cells(row);
+    if (!cells[1].starts_with("same")) stated = cells[1];
+    const std::string& here = cells[1].starts_with(inputs) ? cells[1] : stated;
+    if (cells[0] == problem && here.starts_with(inputs) && cells[2].starts_with(quantity)) return std::stod(cells[3]);
   }
   ADD_FAILURE() << "no exact value of " << problem << ", " << inputs << ", " << quantity;
   return NAN;

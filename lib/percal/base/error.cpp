@@ -1,5 +1,7 @@
 #include "percal/base/error.hpp"
 
+#include <cmath>
+
 namespace percal {
 namespace {
 std::string message(const Place& place, const std::string& found, const std::string& accepted) {
@@ -17,5 +19,9 @@ BadInput::BadInput(const Place& place, const std::string& found, const std::stri
     : std::runtime_error(message(place, found, accepted)) {}
 
 BadInput::BadInput(const std::string& message) : std::runtime_error(message) {}
+
+NoMemory::NoMemory(const std::string& what, double bytes)
+    : std::runtime_error("out of memory: " + what + " wants " + std::to_string(std::lround(std::ceil(bytes / 1e6))) +
+                         " MB") {}
 
 }  // namespace percal

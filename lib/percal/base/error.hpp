@@ -1,4 +1,4 @@
-// The two failures that end a command: input that cannot be used, and a disk that cannot be written.
+// The failures that end a command: input that cannot be used, a disk that cannot be written, memory that is not to be had.
 // A numerical outcome (passed through, unstable) is never an exception: it is a value, see observe/.
 #pragma once
 #include <stdexcept>
@@ -28,13 +28,21 @@ class IoFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Memory that is not to be had although the input is right. Exit code 4. The message reads
+//   out of memory: big.csv wants 812 MB
+class NoMemory : public std::runtime_error {
+ public:
+  NoMemory(const std::string& what, double bytes);
+};
+
 // The program's exit codes.
 enum class Exit : int {
   done = 0,
   check_failed = 1,
   bad_input = 2,
   outcome_not_reached = 3,
-  io_failure = 4,
+  io_failure = 4,  // of the machine: files, memory
+  internal_error = 70,
   interrupted = 130,
 };
 

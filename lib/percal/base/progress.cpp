@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "percal/base/printable.hpp"
+
 namespace percal {
 namespace {
 
@@ -43,7 +45,7 @@ std::string progress_line(const std::string& label, long done, long total, long 
 void Progress::enable(bool wanted) { enabled = wanted; }
 
 Progress::Progress(std::string label, long total, std::optional<Clock::time_point> deadline)
-    : label_(std::move(label)), total_(total), visible_(enabled), deadline_(deadline), start_(Clock::now()) {
+    : label_(printable(label)), total_(total), visible_(enabled), deadline_(deadline), start_(Clock::now()) {
   said_ = on_terminal() ? Clock::time_point() : start_;
   const Progress* nobody = nullptr;
   if (visible_) shown.compare_exchange_strong(nobody, this);

@@ -70,7 +70,7 @@ DehnResult fit_dehn(const CalibrationJob& job) {
   DehnResult result;
   result.parameters = fit.problem.parameters;
   result.minimum = fit.best();
-  result.intervals = profile_intervals(fit.problem, fit.best(), job.level, quick_search());
+  result.intervals = region_intervals(fit.problem, fit.minima, job.level, quick_search());
   result.shots = shot_depths(job, model, fit, all_shots(job));
   result.sets = set_deviations(job, result.shots);
   for (const CrossValidation& wanted : job.cross_validations)

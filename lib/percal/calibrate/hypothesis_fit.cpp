@@ -80,7 +80,7 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   result.index = hypothesis;
   result.minima = fit.minima;
   for (int k : fit.of_model) result.parameters.push_back(model.of_job[k]);
-  result.intervals = profile_intervals(fit.problem, fit.best(), job.level, quick_search());
+  result.intervals = region_intervals(fit.problem, fit.minima, job.level, quick_search());
   result.combinations = combinations(fit.problem, fit.best());
   result.verdict = verdict_of(job, hypothesis, model, fit);
   result.shots = shot_depths(job, model, fit, all_shots(job));

@@ -85,7 +85,7 @@ ImpliedRateFactor rate_factor(const CalibrationJob& job, int hypothesis, const J
   const JobModel freed = with_free_rate_factor(job, model, material);
   const auto factor = static_cast<int>(model.parameters.size());
   const JobFit joined = fit_job(job, freed, fit.shots, quick_search());
-  const auto intervals = profile_intervals(joined.problem, joined.best(), job.level, quick_search());
+  const auto intervals = region_intervals(joined.problem, joined.minima, job.level, quick_search());
   rate.implied.value = rate.given * std::exp(joined.at[factor]);
   if (const Interval* found = interval_of(joined, intervals, factor)) {
     rate.implied.interval = *found;

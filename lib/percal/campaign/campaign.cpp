@@ -4,15 +4,14 @@
 #include <time.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
 #include <map>
 #include <mutex>
+#include <new>
 #include <stdexcept>
-#include <thread>
 
 #include "percal/base/error.hpp"
+#include "percal/base/threads.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/impact/target/size.hpp"
@@ -31,11 +30,22 @@ double thread_cpu_seconds() {
 // Below this many elements a second thread inside a run costs more than it gives.
 constexpr double worth_a_thread = 40'000;
 
+ImpactResult in_memory(const Problem& problem, const std::function<ImpactResult()>& run) {
+  try {
+    return run();
+  } catch (const std::bad_alloc&) {
+    const RunSize size = size_of(problem);
+    throw NoMemory(fmt::format("a run of {:.0f} elements", size.elements), size.bytes);
+  }
+}
+
 Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observer) {
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
   const int threads = std::clamp(static_cast<int>(size_of(problem).elements / worth_a_thread), 1, spare_threads);
-  Evaluation evaluation{.result = observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads),
+  Evaluation evaluation{.result = in_memory(problem, [&] {
+                          return observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads);
+                        }),
                         .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -83,7 +93,7 @@ struct Campaign::Books {
 
 Campaign::Campaign(Store* store, int threads)
     : store_(store),
-      threads_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      threads_(threads > 0 ? threads : threads_of_this_machine()),
       books_(std::make_shared<Books>()) {}
 
 Evaluation Campaign::evaluate(const Problem& problem) { return *evaluate(problem, 1, nullptr, {}); }
@@ -161,25 +171,7 @@ std::vector<std::vector<Evaluation>> Campaign::replicate(const std::vector<Probl
 }
 
 void Campaign::side_by_side(int count, const std::function<void(int)>& work) const {
-  std::atomic<int> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto worker = [&] {
-    for (int k = next++; k < count; k = next++) {
-      try {
-        work(k);
-      } catch (...) {
-        next = count;
-        const std::lock_guard lock(failure_mutex);
-        if (!failure) failure = std::current_exception();
-      }
-    }
-  };
-  std::vector<std::thread> helpers;
-  for (int t = 1; t < std::min(threads_, count); ++t) helpers.emplace_back(worker);
-  worker();
-  for (auto& helper : helpers) helper.join();
-  if (failure) std::rethrow_exception(failure);
+  percal::side_by_side(threads_, count, work);
 }
 
 CampaignCost Campaign::cost() const {

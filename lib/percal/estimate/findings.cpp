@@ -50,6 +50,18 @@ void add_unidentifiable(const CalibrationProblem& problem, const std::vector<Pro
   }
 }
 
+// Of a parameter whose region lies in pieces.
+void add_pieces(const CalibrationProblem& problem, const std::vector<ProfileInterval>& intervals,
+                Sentences& sentences) {
+  for (const ProfileInterval& one : intervals) {
+    if (one.region.size() < 2) continue;
+    const FreeParameter& free = problem.parameters[one.parameter];
+    sentences.push_back(fmt::format(
+        "The data do not choose between {} minima: {} is {} ({:g} % interval).", one.region.size(), free.name,
+        words_of(one.region, [&](double value) { return quantity(free, value); }), 100 * one.level));
+  }
+}
+
 // How far a parameter goes where the combination's weight is w: "mu rises by 10 %", "alpha falls by 1.2".
 std::string movement(const FreeParameter& free, double change) {
   const std::string verb = change > 0 ? "rises" : "falls";
@@ -169,6 +181,7 @@ std::vector<std::string> findings(const CalibrationProblem& problem, const std::
   if (minima.empty()) return sentences;
   const Minimum& best = minima[0];
   if (!best.converged) sentences.push_back("The search did not converge: the numbers below are where it stopped.");
+  add_pieces(problem, intervals, sentences);
   add_unidentifiable(problem, intervals, sentences);
   add_combinations(problem, best, intervals, sentences);
   add_bounds(problem, best, sentences);

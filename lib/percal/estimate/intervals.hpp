@@ -2,6 +2,7 @@
 // docs/theory/calibration.md
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,22 +23,39 @@ struct Interval {
   bool low_open = false, high_open = false;
 };
 
+// What data allow of a parameter may lie in several pieces, one about each minimum that fits about as well: from low to high.
+using Region = std::vector<Interval>;
+
+// Pieces that overlap become one.
+Region united(Region pieces);
+// From the lowest end to the highest.
+Interval hull(const Region& region);
+// "1 to 2 or 4 to 5".
+std::string words_of(const Region& region, const std::function<std::string(double)>& shown);
+
 struct ProfileInterval {
   int parameter = 0;
-  Interval interval;
+  Interval interval;                  // the hull of the region
   std::vector<ProfilePoint> profile;  // from low to high
   // False where both ends are its own bounds, or wider than a factor of `hopeless_factor` on a logarithmic scale.
   bool identifiable = true;
   double level = 0.95;
   double degrees_of_freedom = 0;  // of the threshold's Student t; infinite where no scatter is estimated
+  Region region = {};             // one piece where a single minimum was looked at
 };
 inline constexpr double hopeless_factor = 4;
 
 // One for each parameter, at a confidence level such as 0.95: where the rise of the objective meets t^2, Student's t with the
 // effective degrees of freedom of that parameter's variance. The weights stay those of the minimum. An interval is the one around
-// this minimum; another minimum may lie beyond it.
+// this minimum, whose deviance lies `above` that of the best: only t^2 - above is left to rise by, and a parameter is missing where
+// nothing is.                                                                              docs/theory/calibration.md (11a)
 std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem, const Minimum& minimum, double level,
-                                               const SearchOptions& options);
+                                               const SearchOptions& options, double above = 0);
+
+// The same over the whole region: one for each parameter, with the pieces about all converged minima (the first is the best). The
+// profile is that of the best.
+std::vector<ProfileInterval> region_intervals(const CalibrationProblem& problem, const std::vector<Minimum>& minima,
+                                              double level, const SearchOptions& options);
 
 // Degrees of freedom of the variance of weight . parameters (Satterthwaite): n - p where one scatter is estimated and no error is
 // known, more where known errors carry a part of it, infinite where no scatter is estimated. At least 1.

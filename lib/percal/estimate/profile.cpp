@@ -75,8 +75,10 @@ bool at_anothers_bound(Surroundings& surroundings, const Point& end, int paramet
   return false;
 }
 
-bool too_wide(const Interval& interval, bool logarithmic) {
-  return logarithmic && interval.high > hopeless_factor * interval.low;
+// Not from bound to bound, nor too wide.
+bool is_identifiable(const Interval& interval, const FreeParameter& free) {
+  const bool everywhere = interval.low == free.low && interval.high == free.high;
+  return !everywhere && !(free.logarithmic && interval.high > hopeless_factor * interval.low);
 }
 
 }  // namespace
@@ -152,7 +154,8 @@ Profile trace_profile(Surroundings& surroundings, int parameter, double threshol
                     .high = up.at_bound ? free.high : free.natural(up.end.searched[parameter]),
                     .low_open = down.at_bound || at_anothers_bound(surroundings, down.end, parameter),
                     .high_open = up.at_bound || at_anothers_bound(surroundings, up.end, parameter)};
-  found.identifiable = !(down.at_bound && up.at_bound) && !too_wide(found.interval, free.logarithmic);
+  found.region = {found.interval};
+  found.identifiable = is_identifiable(found.interval, free);
   found.profile.push_back({bottom.searched[parameter], 0, bottom.searched});
   for (const Walk* side : {&down, &up})
     for (const Point& point : side->points)
@@ -166,7 +169,7 @@ double effective_degrees_of_freedom(const CalibrationProblem& problem, const Min
 }
 
 std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem, const Minimum& minimum, double level,
-                                               const SearchOptions&) {
+                                               const SearchOptions&, double above) {
   Surroundings surroundings(problem, minimum);
   const auto p = static_cast<int>(problem.parameters.size());
   std::vector<ProfileInterval> intervals;
@@ -174,12 +177,56 @@ std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem
   for (int k = 0; k < p; ++k) {
     const double freedom = surroundings.degrees_of_freedom(VectorXd::Unit(p, k));
     const double t = student_quantile((1 + level) / 2, freedom);
-    intervals.push_back(trace_profile(surroundings, k, t * t).interval);
+    progress.add();
+    if (!(t * t > above)) continue;
+    intervals.push_back(trace_profile(surroundings, k, t * t - above).interval);
     intervals.back().level = level;
     intervals.back().degrees_of_freedom = freedom;
-    progress.add();
   }
   return intervals;
+}
+
+std::vector<ProfileInterval> region_intervals(const CalibrationProblem& problem, const std::vector<Minimum>& minima,
+                                              double level, const SearchOptions& options) {
+  auto intervals = profile_intervals(problem, minima.front(), level, options);
+  for (std::size_t i = 1; i < minima.size(); ++i) {
+    if (!minima[i].converged) continue;
+    const double above = std::max(0.0, minima[i].deviance - minima.front().deviance);
+    for (const ProfileInterval& other : profile_intervals(problem, minima[i], level, options, above))
+      for (ProfileInterval& one : intervals)
+        if (one.parameter == other.parameter) one.region.push_back(other.interval);
+  }
+  for (ProfileInterval& one : intervals) {
+    one.region = united(one.region);
+    one.interval = hull(one.region);
+    one.identifiable = is_identifiable(one.interval, problem.parameters[one.parameter]);
+  }
+  return intervals;
+}
+
+Region united(Region pieces) {
+  std::ranges::sort(pieces, {}, &Interval::low);
+  Region joined;
+  for (const Interval& piece : pieces) {
+    if (joined.empty() || piece.low > joined.back().high) {
+      joined.push_back(piece);
+    } else if (piece.high > joined.back().high) {
+      joined.back().high = piece.high;
+      joined.back().high_open = piece.high_open;
+    }
+  }
+  return joined;
+}
+
+Interval hull(const Region& region) {
+  return {region.front().low, region.back().high, region.front().low_open, region.back().high_open};
+}
+
+std::string words_of(const Region& region, const std::function<std::string(double)>& shown) {
+  std::string text;
+  for (const Interval& piece : region)
+    text += (text.empty() ? "" : " or ") + shown(piece.low) + " to " + shown(piece.high);
+  return text;
 }
 
 }  // namespace percal

@@ -9,16 +9,28 @@
 namespace percal {
 namespace {
 
+// All that the points allow. Of planar tension and simple shear, even in alpha, both signs fit the same: there it is this sign's.
+Interval allowed(const Uncertainty& uncertainty, const std::string& name, const Interval& piece) {
+  for (const ParameterRegion& region : uncertainty.region) {
+    if (region.name != name) continue;
+    const Interval all = hull(region.pieces);
+    return region.pieces.size() > 1 && std::abs(all.low + all.high) < 1e-3 * all.high ? piece : all;
+  }
+  return piece;
+}
+
 // "mu" is mu_true_Pa on a card, "mu_2" mu_true_Pa_2.
 std::optional<CardIntervals> intervals_of(const Uncertainty& uncertainty) {
   if (uncertainty.minima.empty()) return std::nullopt;
   const MinimumUncertainty& best = uncertainty.minima.front();
   CardIntervals intervals{uncertainty.options.level, {}};
-  if (best.small_strain_modulus) intervals.of.push_back(card_interval("mu_true_Pa", *best.small_strain_modulus));
+  if (best.small_strain_modulus)
+    intervals.of.push_back(
+        card_interval("mu_true_Pa", allowed(uncertainty, "small_strain_mu", *best.small_strain_modulus)));
   for (const ParameterUncertainty& parameter : best.parameters) {
     const bool modulus = parameter.name.starts_with("mu");
-    intervals.of.push_back(
-        card_interval(modulus ? "mu_true_Pa" + parameter.name.substr(2) : parameter.name, parameter.interval));
+    intervals.of.push_back(card_interval(modulus ? "mu_true_Pa" + parameter.name.substr(2) : parameter.name,
+                                         allowed(uncertainty, parameter.name, parameter.interval)));
   }
   return intervals;
 }

@@ -1,8 +1,11 @@
 #include "percal/fit/compare_models.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "percal/base/error.hpp"
+#include "percal/page/numbers.hpp"
 
 namespace percal {
 namespace {
@@ -66,6 +69,24 @@ std::optional<double> mean_of(const std::vector<LeftOutTest>& tests, std::option
   return tests.empty() ? std::nullopt : std::optional(sum / static_cast<double>(tests.size()));
 }
 
+constexpr double nothing = 1e-9;  // a term's modulus, of the sum
+
+// A fit that the bound of the search made, or a term that stands for a point or two, says nothing of the model.
+std::string not_ranked(const CurveFit& fit) {
+  if (fit.minima.empty()) return "";
+  const CurveMinimum& best = fit.minima[0];
+  const double sum = small_strain_modulus(best.solid);
+  for (const auto& [mu, alpha] : best.solid.terms) {
+    const bool is_nothing = std::abs(mu)<nothing * sum, bound = std::abs(alpha)> largest_alpha * (1 - 1e-9);
+    if (is_nothing || bound)
+      return fmt::format("its term at alpha = {:.4g}{}{}", alpha, bound ? ", the bound of the search," : "",
+                         is_nothing
+                             ? " has a modulus of " + page::quantity(mu, dimension::pressure) + ", which is nothing"
+                             : " is at no minimum");
+  }
+  return "";
+}
+
 ComparedModel compared(const CurveData& data, const CurveOptions& options) {
   ComparedModel result{options.model, {}, {}, {}, {}, {}};
   try {
@@ -74,6 +95,7 @@ ComparedModel compared(const CurveData& data, const CurveOptions& options) {
     result.why_not = error.what();
     return result;
   }
+  result.not_ranked = not_ranked(*result.fit);
   const auto& tests = result.fit->tests;
   if (tests.size() > 1)
     for (const auto& test : tests) result.left_out.push_back(leave_out(data, options, tests, test));

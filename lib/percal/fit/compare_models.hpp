@@ -24,6 +24,8 @@ struct ComparedModel {
   // Means over the left-out tests; none where one of them is missing.
   std::optional<double> mean_relative_deviation;
   std::optional<double> relative_to_sum;
+  std::string not_ranked =
+      {};  // why its AICc is set beside no other's: no minimum of the model, or a term that is nothing; else empty
 };
 
 // All models in the order neo-Hooke, Mooney-Rivlin, Ogden with one, two and three terms; options.model is not looked

@@ -53,12 +53,19 @@ int single(const CsvTable& table, bool (*wanted)(const std::string&), const char
     throw BadInput(place, fmt::format("several columns of {}: {}", meaning, headers(table, wanted)),
                    fmt::format("one of them, chosen with {}", option));
   if (!found.empty()) return found[0];
-  const bool depths = contains_any(lower_case(headers(table)), {"depth", "penetration"});
+  const std::string names = lower_case(headers(table));
+  const bool depths = contains_any(names, {"depth", "penetration"});
+  const bool machine =
+      contains_any(names, {"force", "load", "displacement", "extension", "elongation", "deflection", "travel"});
   throw BadInput(
       place,
       fmt::format("no stress-stretch curve{}: no column of {} among {}",
                   depths ? " but depths of shots, which are no input of a curve fit" : "", meaning, headers(table)),
-      fmt::format("a column of {}, or the column's name with {}", meaning, option));
+      fmt::format("a column of {}, or the column's name with {}{}", meaning, option,
+                  machine
+                      ? "; of force and displacement make stretch = 1 + displacement/(length between the grips) and "
+                        "nominal stress = force/(cross-section before the test)"
+                      : ""));
 }
 
 bool is_pressure(const CsvColumn& column) {

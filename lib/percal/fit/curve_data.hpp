@@ -17,6 +17,7 @@ struct StressPoint {
   double nominal_stress;                      // Pa; the shear stress in simple shear
   std::optional<double> standard_error = {};  // Pa, of nominal_stress
   int source = 0;                             // index of its CurveSource
+  int rows = 1;                               // of the file that it is the mean of: see thin_curves.hpp
 };
 
 // Where points came from: which columns of which file.
@@ -26,7 +27,7 @@ struct CurveSource {
   std::string error = {};                         // header of the standard errors of y; empty where there are none
   StressMeasure stress = StressMeasure::nominal;  // of y as the file has it; the points are nominal already
   bool mode_column = false;                       // the file says the deformation of every row itself
-  int points = 0;
+  int points = 0;                                 // rows of the file
   std::vector<std::string> warnings = {};  // sentences: what in the file contradicts itself, what was done about it
 };
 

@@ -77,10 +77,10 @@ std::vector<double> shares(const CurveProblem& problem, const EqualTests& weight
 // Weights with the mean 1 over all points, so that sums stay comparable.                                (20)
 void weigh_tests(CurveProblem& problem, const EqualTests& weighting) {
   const auto share = shares(problem, weighting);
-  double sum = 0;
-  for (const double one : share) sum += one;
+  double sum = 0, rows = 0;
+  for (std::size_t i = 0; i < share.size(); ++i) sum += share[i], rows += problem.tests[i].rows;
   for (std::size_t i = 0; i < share.size(); ++i)
-    problem.tests[i].weight = share[i] / sum * static_cast<double>(problem.points.size()) / problem.tests[i].points;
+    problem.tests[i].weight = share[i] / sum * rows / problem.tests[i].rows;
   for (auto& point : problem.points) point.weight *= std::sqrt(problem.tests[point.test].weight);
 }
 
@@ -118,8 +118,10 @@ CurveProblem curve_problem(const CurveData& data, Residual residual, const Weigh
   for (const StressPoint* point : used) {
     const PrincipalPair pair = principal_pair(point->strained);
     const int test = index_of_test(*point, data, problem);
-    problem.points.push_back({pair, point->nominal_stress / problem.scale, point_weight(*point, problem), test});
+    const double weight = point_weight(*point, problem) * std::sqrt(point->rows);
+    problem.points.push_back({pair, point->nominal_stress / problem.scale, weight, test});
     ++problem.tests[test].points;
+    problem.tests[test].rows += point->rows;
     ++problem.points_of_mode[point->strained.deformation];
     if (pair.log_i != pair.log_j) different.insert({pair.log_i, pair.log_j});
   }

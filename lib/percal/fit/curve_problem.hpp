@@ -32,6 +32,7 @@ struct CurveTest {
   int source = 0;  // index of the file
   Deformation deformation = Deformation::uniaxial;
   int points = 0;     // used
+  double rows = 0;    // that they stand for
   double weight = 1;  // of each point's square: 1 with EqualPoints; the mean over all points is 1
 };
 
@@ -43,8 +44,9 @@ bool is_meant(const std::string& name, const CurveTest& test);
 struct WeightedPoint {
   PrincipalPair pair;
   double stress;  // in a scale that makes it about 1
-  double weight;  // 1 over what the residual is relative to, in the same scale, times the root of the test's weight
-  int test = 0;   // index of its CurveTest
+  double
+      weight;  // 1 over what the residual is relative to, in the same scale, times the root of the test's weight and of its rows
+  int test = 0;  // index of its CurveTest
 };
 
 struct CurveProblem {

@@ -72,7 +72,8 @@ std::vector<std::string> implausible(const CsvTable& table, const FoundColumns& 
                     in_quotes(x.name + " [%]")));
   for (const auto& point : points) largest_stress = std::max(largest_stress, std::abs(point.nominal_stress));
   int pushed = 0, pulled = 0;
-  for (const auto& [strained, stress, error, source] : points) {
+  for (const StressPoint& point : points) {
+    const auto& [strained, stress] = std::tie(point.strained, point.nominal_stress);
     if (!signs_agree(strained.deformation) || std::abs(stress) <= noise * largest_stress) continue;
     pushed += strained.amount < 1 && stress > 0;
     pulled += strained.amount > 1 && stress < 0;

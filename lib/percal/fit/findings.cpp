@@ -121,9 +121,28 @@ void systematic_misfit(const Uncertainty& uncertainty, int points, std::vector<s
                   *correlation));
 }
 
+// Why moduli of any sign make no solid: "mu_1 + mu_2 = 818 kPa - 1.5 MPa".
+std::string negative_sum(const CurveFit& fit) {
+  const bool mooney = fit.options.model == Model::mooney_rivlin;
+  std::string names, moduli;
+  for (std::size_t k = 0; k < fit.refused->terms.size(); ++k) {
+    const auto& [mu, alpha] = fit.refused->terms[k];
+    names += std::string(k == 0 ? "" : " + ") + (mooney ? alpha > 0 ? "C10" : "C01" : fmt::format("mu_{}", k + 1));
+    moduli += (k == 0   ? ""
+               : mu < 0 ? " - "
+                        : " + ") +
+              page::quantity((k == 0 ? mu : std::abs(mu)) / (mooney ? 2 : 1), dimension::pressure);
+  }
+  return fmt::format(
+      "The best fit with moduli of any sign has a negative sum of them, {} = {}: that is no solid. With every "
+      "modulus held positive (without --unconstrained) there may be one.",
+      names, moduli);
+}
+
 }  // namespace
 
 std::vector<std::string> findings(const CurveFit& fit) {
+  if (fit.minima.empty() && fit.refused) return {negative_sum(fit)};
   if (fit.minima.empty())
     return {
         "No positive modulus fits at any alpha: the stresses have the wrong sign for the stretches, or sizes too far "
@@ -186,10 +205,25 @@ std::string undetermined(const ParameterUncertainty& parameter, const std::strin
   return "";
 }
 
+// Minima that fit about as well, and what of each parameter they leave.
+void several_pieces(const Uncertainty& uncertainty, std::vector<std::string>& sentences) {
+  std::string pieces;
+  for (const ParameterRegion& region : uncertainty.region) {
+    if (region.pieces.size() < 2) continue;
+    const auto& unit = region.unit.empty() ? dimension::none : dimension::pressure;
+    pieces += (pieces.empty() ? "" : "; ") + region.name + " " +
+              words_of(region.pieces, [&](double value) { return page::quantity(value, unit); });
+  }
+  if (pieces.empty()) return;
+  sentences.push_back(fmt::format("The data do not choose between {} minima: the {:g} % interval is {}.",
+                                  uncertainty.minima.size(), 100 * uncertainty.options.level, pieces));
+}
+
 std::vector<std::string> uncertainty_findings(const Uncertainty& uncertainty, const CurveData& data,
                                               const CurveProblem& problem, const CurveFit& fit) {
   std::vector<std::string> sentences;
   const std::string range = range_of(data);
+  if (!even_in_alpha(problem)) several_pieces(uncertainty, sentences);
   for (const auto& about : uncertainty.minima)
     for (const auto& parameter : about.parameters) {
       const std::string sentence = undetermined(parameter, range, uncertainty.options.level);

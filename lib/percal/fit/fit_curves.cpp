@@ -154,6 +154,7 @@ CurveFit fit_curves(const CurveData& data, const CurveOptions& options) {
     const CurveMinimum minimum = minimum_of(one, problem, options);
     if (is_usable(minimum)) fit.minima.push_back(minimum);
   }
+  if (fit.minima.empty() && found.refused) fit.refused = in_pascals(*found.refused, problem.scale);
   const double data_squares = weighted_stress(problem.points).squaredNorm() * problem.objective_unit;
   sort_and_compare(fit.minima, rounding * data_squares);
   if (!fit.minima.empty()) fit.aicc = aicc(fit.minima[0], problem, options.model);

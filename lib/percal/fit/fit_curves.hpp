@@ -42,8 +42,9 @@ struct CurveMinimum {
 struct CurveFit {
   CurveOptions options;
   std::vector<CurveMinimum> minima;  // best first; empty when no solid with the signs asked for fits better than none
-  std::vector<CurveTest> tests;      // points used, and how they counted
-  int points = 0;                    // used
+  std::optional<Hyperelastic> refused = {};  // where there are none: the best whose moduli add up to no positive one
+  std::vector<CurveTest> tests;              // points used, and how they counted
+  int points = 0;                            // used
   int left_out_zero_stress = 0;
   int left_out_no_error = 0;
   std::map<Deformation, int> points_of_mode;  // used

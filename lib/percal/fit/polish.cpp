@@ -77,27 +77,67 @@ ceres::Solver::Options options() {
   return options;
 }
 
+// The exponents at a bound that the objective pushes them against.
+std::vector<int> pushed_against_bound(const Projected& cost, const std::vector<SearchedAlpha>& alphas,
+                                      const std::vector<double>& at) {
+  VectorXd residual(cost.num_residuals());
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(residual.size(), at.size());
+  const double* parameters[] = {at.data()};
+  double* jacobians[] = {jacobian.data()};
+  std::vector<int> pushed;
+  if (!cost.Evaluate(parameters, residual.data(), jacobians)) return pushed;
+  const VectorXd gradient = jacobian.transpose() * residual;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double close = 1e-9 * (alphas[k].high - alphas[k].low), slope = gradient(static_cast<Eigen::Index>(k));
+    if ((at[k] <= alphas[k].low + close && slope > 0) || (at[k] >= alphas[k].high - close && slope < 0))
+      pushed.push_back(static_cast<int>(k));
+  }
+  return pushed;
+}
+
+// One run of Ceres over the exponents that are not held. Moves `at`.
+ceres::Solver::Summary descend(Projected& cost, const std::vector<SearchedAlpha>& alphas, std::vector<double>& at,
+                               const std::vector<int>& held) {
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(ownership);
+  problem.AddResidualBlock(&cost, nullptr, at.data());
+  for (std::size_t k = 0; k < alphas.size(); ++k) {
+    problem.SetParameterLowerBound(at.data(), static_cast<int>(k), alphas[k].low);
+    problem.SetParameterUpperBound(at.data(), static_cast<int>(k), alphas[k].high);
+  }
+  if (held.size() == at.size())
+    problem.SetParameterBlockConstant(at.data());
+  else if (!held.empty())
+    problem.SetManifold(at.data(), new ceres::SubsetManifold(static_cast<int>(at.size()), held));
+  ceres::Solver::Summary summary;
+  ceres::Solve(options(), &problem, &summary);
+  return summary;
+}
+
 }  // namespace
 
+// Ceres projects a step that leaves the box onto it, which ends short of the minimum. So exponents that are pushed against a bound are
+// held there while the others go on; one that wants to leave it again may.
 Polished polish(const std::vector<WeightedPoint>& points, const std::vector<SearchedAlpha>& alphas, Signs signs,
                 const ScaledLoss& loss) {
   quiet_ceres();
   std::vector<double> at;
   for (const auto& alpha : alphas) at.push_back(alpha.start);
-  ceres::Problem problem;
-  problem.AddResidualBlock(new Projected(points, static_cast<int>(at.size()), signs, loss), nullptr, at.data());
-  for (std::size_t k = 0; k < alphas.size(); ++k) {
-    problem.SetParameterLowerBound(at.data(), static_cast<int>(k), alphas[k].low);
-    problem.SetParameterUpperBound(at.data(), static_cast<int>(k), alphas[k].high);
+  Projected cost(points, static_cast<int>(at.size()), signs, loss);
+  bool converged = false;
+  int iterations = 0;
+  std::vector<int> held;
+  for (std::size_t pass = 0; pass <= at.size() + 1; ++pass) {
+    const auto summary = descend(cost, alphas, at, held);
+    converged = summary.termination_type == ceres::CONVERGENCE;
+    iterations += static_cast<int>(summary.iterations.size());
+    const auto pushed = pushed_against_bound(cost, alphas, at);
+    if (pushed == held) break;
+    held = pushed;
   }
-  ceres::Solver::Summary summary;
-  ceres::Solve(options(), &problem, &summary);
-
   const Moduli moduli = best_moduli(term_columns(points, at).stress, weighted_stress(points), signs, loss);
-  Polished polished{{},
-                    moduli.objective,
-                    summary.termination_type == ceres::CONVERGENCE,
-                    static_cast<int>(summary.iterations.size())};
+  Polished polished{{}, moduli.objective, converged, iterations};
   for (std::size_t k = 0; k < at.size(); ++k) polished.terms.push_back({moduli.mu(k), at[k]});
   return polished;
 }

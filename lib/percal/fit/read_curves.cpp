@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
 
 #include "percal/fit/curve_columns.hpp"
+#include "percal/fit/curve_shapes.hpp"
 #include "percal/fit/curve_warnings.hpp"
+#include "percal/fit/thin_curves.hpp"
 #include "percal/text/csv_cells.hpp"
 #include "percal/units/words.hpp"
 
@@ -22,21 +25,50 @@ Deformation mode_given(const std::string& mode) {
   throw BadInput({"", 0, "--mode"}, in_quotes(mode), deformation_words());
 }
 
+// The word for the deformation of every row: the mode column's, or one for all.
+struct ModeWords {
+  std::string of_all;
+  std::vector<std::string> of_row = {};
+  const std::string& operator[](std::size_t i) const { return of_row.empty() ? of_all : of_row[i]; }
+};
+
+// The mode given stands where the file has no mode column, and where none of the column's words is known.
+ModeWords mode_words(const CsvTable& table, FoundColumns& found, const std::string& mode,
+                     std::vector<std::string>& warnings) {
+  if (!found.mode) return {mode};
+  std::vector<std::string> words;
+  for (const auto& row : table.rows) words.push_back(table.cell(row, *found.mode));
+  const std::set<std::string> different(words.begin(), words.end());
+  if (mode.empty() ||
+      std::any_of(different.begin(), different.end(), [](const auto& word) { return deformation_of(word); }))
+    return {mode, words};
+  std::vector<std::string> quoted;
+  for (const auto& word : different) quoted.push_back(in_quotes(word));
+  warnings.push_back(fmt::format("{}: {} of column {} {} none of percal's: {} is taken as --mode says{}.", table.file,
+                                 listed(quoted), in_quotes(table.columns[static_cast<std::size_t>(*found.mode)].header),
+                                 different.size() == 1 ? "is a word that is" : "are words that are", mode,
+                                 different.size() == 1 ? "" : ", all of them as one test (--where keeps one)"));
+  found.mode.reset();
+  return {mode};
+}
+
 // The deformation of every row.
-std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found, const std::string& mode) {
+std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns& found, const ModeWords& words) {
   if (!found.mode) {
-    if (mode.empty())
+    if (words.of_all.empty())
       throw BadInput({table.file, table.header_line, ""}, "no column 'mode'",
                      "--mode with one of " + deformation_words());
-    return std::vector<Deformation>(table.rows.size(), mode_given(mode));
+    return std::vector<Deformation>(table.rows.size(), mode_given(words.of_all));
   }
   LineFaults faults(table.file);
   std::vector<Deformation> all;
-  for (const auto& row : table.rows) {
-    const auto deformation = deformation_of(row.cells[*found.mode]);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto deformation = deformation_of(words[i]);
     if (!deformation)
-      faults.add(row.line, fmt::format("{}: found {}; accepted: {}", table.columns[*found.mode].header,
-                                       in_quotes(row.cells[*found.mode]), deformation_words()));
+      faults.add(
+          table.rows[i].line,
+          fmt::format("{}: found {}; accepted: {}; or --mode, which stands where none of the column's words is known",
+                      table.columns[*found.mode].header, in_quotes(words[i]), deformation_words()));
     all.push_back(deformation.value_or(Deformation::uniaxial));
   }
   faults.throw_if_any();
@@ -44,20 +76,24 @@ std::vector<Deformation> deformations(const CsvTable& table, const FoundColumns&
 }
 
 // Which rows a word calls compression: the mode's, or that of a header.
-std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& found, const std::string& mode,
+std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& found, const ModeWords& words,
                                   const std::vector<Deformation>& modes) {
+  const bool by_x = found.x_words.compressive, by_y = found.y_words.compressive;
   std::vector<bool> compressed;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const std::string& word = found.mode ? table.rows[i].cells[static_cast<std::size_t>(*found.mode)] : mode;
-    const bool by_header = found.x_words.compressive || found.y_words.compressive;
-    compressed.push_back(modes[i] != Deformation::simple_shear && (by_header || says_compression(word)));
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if ((by_x || by_y) && says_tension(words[i]))
+      throw BadInput(
+          {table.file, table.rows[i].line, table.columns[static_cast<std::size_t>(by_x ? found.x : found.y)].header},
+          "the word of compression in the header, but the mode " + in_quotes(words[i]),
+          "the mode compression, or another name of the column");
+    compressed.push_back(modes[i] != Deformation::simple_shear && (by_x || by_y || says_compression(words[i])));
   }
   return compressed;
 }
 
-// Empty cells are no error known; a negative one is refused.
+// Empty cells are no error known, no column none at all; a negative one is refused.
 std::vector<std::optional<double>> standard_errors(const CsvTable& table, std::optional<int> column) {
-  if (!column) return std::vector<std::optional<double>>(table.rows.size());
+  if (!column) return {};
   const std::string& header = table.columns[*column].header;
   const auto errors = table.optional_numbers(header, dimension::pressure);
   LineFaults faults(table.file);
@@ -111,14 +147,16 @@ bool general_biaxial(const std::string& mode) { return deformation_of(mode) == D
 
 CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   const CsvTable table = whole.where(wanted.where);
-  const FoundColumns found = find_columns(table, wanted);
+  FoundColumns found = find_columns(table, wanted);
+  std::vector<std::string> warnings;
+  const ModeWords words = mode_words(table, found, wanted.mode, warnings);
   const CsvColumn &x_column = table.columns[found.x], &y_column = table.columns[found.y];
   std::vector<Deformation> modes;
   CurveNumbers numbers;
   auto& [x, y] = numbers;
   std::vector<double> across;
   std::vector<std::optional<double>> errors;
-  together({[&] { modes = deformations(table, found, wanted.mode); },
+  together({[&] { modes = deformations(table, found, words); },
             [&] { numbers.x = abscissae(table, found.x, found.x_words.size); },
             [&] { numbers.y = table.numbers(found.y, dimension::pressure); },
             [&] { errors = standard_errors(table, found.error); },
@@ -129,14 +167,14 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
             }});
 
   CurveData data;
-  std::vector<std::string> warnings;
   if (!table.passed_over.empty())
     warnings.push_back(
         fmt::format("{}: the table starts at line {}; {} before it {} passed over.", table.file, table.header_line,
                     table.passed_over.size() == 1 ? "1 line" : fmt::format("{} lines", table.passed_over.size()),
                     table.passed_over.size() == 1 ? "is" : "are"));
-  turn_compression(numbers, table, found, compressed_rows(table, found, wanted.mode, modes), warnings);
+  turn_compression(numbers, table, found, compressed_rows(table, found, words, modes), warnings);
   LineFaults faults(table.file);
+  data.points.reserve(table.rows.size());
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     StressPoint point{{modes[i], 1, 1}, 0};
     try {
@@ -157,15 +195,17 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
     const StressMeasure measure = found.y_words.measure;
     try {
       point.nominal_stress = nominal_of(y[i], measure, point.strained);
-      if (errors[i]) point.standard_error = nominal_of(*errors[i], measure, point.strained);
+      if (!errors.empty() && errors[i]) point.standard_error = nominal_of(*errors[i], measure, point.strained);
     } catch (const std::invalid_argument& error) {
       faults.add(table.rows[i].line, fmt::format("{}: found {}", y_column.header, error.what()));
     }
     data.points.push_back(point);
   }
   faults.throw_if_any();
-  const auto doubts = implausible(table, found, x, data.points);
-  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  const auto materials = several_materials(table, found, modes);
+  for (const auto& doubts : {implausible(table, found, x, data.points), materials,
+                             materials.empty() ? shapes(table, found, data.points) : std::vector<std::string>{}})
+    warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   data.sources.push_back({.file = table.file,
                           .x = x_column.header,
                           .y = y_column.header,
@@ -174,16 +214,21 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                           .mode_column = found.mode.has_value(),
                           .points = static_cast<int>(data.points.size()),
                           .warnings = warnings});
+  thin(data);
   return data;
 }
 
 CurveData read_curves(const std::vector<std::string>& files, const CurveColumns& wanted) {
   if (!wanted.mode.empty()) mode_given(wanted.mode);
+  for (const auto& [file, mode] : wanted.mode_of) mode_given(mode);
   CurveData all;
   std::string faults;
   for (const auto& file : files) {
     try {
-      CurveData one = curves_of(read_csv(file), wanted);
+      CurveColumns of_file = wanted;
+      if (const auto mode = wanted.mode_of.find(file); mode != wanted.mode_of.end()) of_file.mode = mode->second;
+      CurveData one = curves_of(read_csv(file), of_file);
+      if (of_file.mode != wanted.mode) refuse_idle_mode(one, of_file.mode);
       for (auto& point : one.points) point.source = static_cast<int>(all.sources.size());
       all.points.insert(all.points.end(), one.points.begin(), one.points.end());
       all.sources.insert(all.sources.end(), one.sources.begin(), one.sources.end());

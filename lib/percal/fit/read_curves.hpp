@@ -1,5 +1,6 @@
 // Stress-stretch curves out of CSV files.                                                      docs/formats/csv.md
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,11 @@ namespace percal {
 
 // What the user says about the columns; empty: found by their names.
 struct CurveColumns {
-  std::string mode = {};                // deformation of the files without a mode column
-  std::string x = {}, y = {};           // stretch, strain or shear; stress
-  std::string error = {};               // standard error of the stress
-  std::vector<std::string> where = {};  // COLUMN=VALUE: the rows to keep
+  std::string mode = {};  // deformation of the files without a mode column, or with one of words that nobody knows
+  std::map<std::string, std::string> mode_of = {};  // of single files, by their names as given
+  std::string x = {}, y = {};                       // stretch, strain or shear; stress
+  std::string error = {};                           // standard error of the stress
+  std::vector<std::string> where = {};              // conditions of CsvTable::where: the rows to keep
 };
 
 // The points of all files together. Throws BadInput: no such column, several that could be meant, no row left, a

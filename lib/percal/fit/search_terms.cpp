@@ -46,12 +46,21 @@ bool same(const Polished& a, const Polished& b) {
   return true;
 }
 
+// Whether the moduli add up to a positive one. Of those that do not the best is kept, which says why there is no solid.
+bool is_solid(FoundMinima& found, const Polished& minimum) {
+  double mu = 0;
+  for (const auto& term : minimum.terms) mu += term.mu;
+  if (!std::isfinite(minimum.objective)) return false;
+  if (mu > 0) return true;
+  if (!minimum.terms.empty() && (!found.refused || minimum.objective < found.refused->objective))
+    found.refused = minimum;
+  return false;
+}
+
 void polish_into(FoundMinima& found, const Task& task, const std::vector<SearchedAlpha>& start) {
   ++found.starts;
   const Polished minimum = tidied(polish(task.points, start, task.signs, task.loss), task);
-  double mu = 0;
-  for (const auto& term : minimum.terms) mu += term.mu;
-  if (minimum.terms.size() < start.size() || !std::isfinite(minimum.objective) || !(mu > 0)) return;
+  if (minimum.terms.size() < start.size() || !is_solid(found, minimum)) return;
   const auto known = std::find_if(found.minima.begin(), found.minima.end(),
                                   [&](const Polished& other) { return same(other, minimum); });
   if (known == found.minima.end()) return found.minima.push_back(minimum);
@@ -87,10 +96,8 @@ FoundMinima with_given_alphas(const Task& task, const std::vector<double>& alpha
   Polished minimum{{}, moduli.objective, true, 0};
   for (std::size_t k = 0; k < alphas.size(); ++k) minimum.terms.push_back({moduli.mu(k), alphas[k]});
   minimum = tidied(minimum, task);
-  double mu = 0;
-  for (const auto& term : minimum.terms) mu += term.mu;
   FoundMinima found{.scanned = 1};
-  if (std::isfinite(minimum.objective) && mu > 0) found.minima.push_back(minimum);
+  if (is_solid(found, minimum)) found.minima.push_back(minimum);
   return found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "percal/fit/findings.hpp"
 #include "percal/math/distributions.hpp"
@@ -12,6 +13,7 @@ namespace {
 constexpr double exact = 1e-20;          // share of the data's sum of squares that is only rounding
 constexpr double errors_refuted = 0.01;  // chance of so large a misfit below which standard errors are not believed
 constexpr int fewest_neighbours = 8;     // pairs of points for a correlation
+constexpr double surely_out = 2;         // thresholds above the best at which a minimum is not looked at
 
 // A robust loss counts a point as if its weight were smaller; the intervals keep what it came to at the best minimum.
 void weigh_as_the_loss_does(CurveProblem& problem, const CurveFit& fit) {
@@ -97,16 +99,22 @@ bool hopeless(const FreeParameter& parameter, const Interval& interval) {
   return parameter.unit.empty() && interval.high - interval.low > hopeless_width;
 }
 
-MinimumUncertainty about(int index, const CurveProblem& curve, const CurveFit& fit, ErrorSource errors,
-                         double deviations, const UncertaintyOptions& options) {
+// None where the points rule the minimum out beside the best, whose deviance is `best`; the first sets it.
+std::optional<MinimumUncertainty> about(int index, const CurveProblem& curve, const CurveFit& fit, ErrorSource errors,
+                                        double deviations, const UncertaintyOptions& options,
+                                        std::optional<double>& best) {
   const Hyperelastic& solid = fit.minima[static_cast<std::size_t>(index)].solid;
   const CalibrationProblem problem = calibration_of(curve, fit.options, solid, errors);
   const SearchOptions search;
   const Minimum minimum = refine(problem, searched(problem, solid), {}, search);
+  if (!best) best = minimum.deviance;
+  const auto profiles =
+      profile_intervals(problem, minimum, options.level, search, std::max(0.0, minimum.deviance - *best));
+  if (profiles.empty()) return std::nullopt;
   MinimumUncertainty result;
   result.minimum = index;
   result.correlation = correlation(minimum);
-  for (const auto& profile : profile_intervals(problem, minimum, options.level, search)) {
+  for (const auto& profile : profiles) {
     const auto& parameter = problem.parameters[static_cast<std::size_t>(profile.parameter)];
     result.parameters.push_back({.name = parameter.name,
                                  .unit = parameter.unit,
@@ -120,6 +128,37 @@ MinimumUncertainty about(int index, const CurveProblem& curve, const CurveFit& f
   result.small_strain_modulus = small_strain_interval(problem, solid, minimum, deviations);
   if (options.bootstrap > 0) add_bootstrap(result, problem, minimum, options);
   return result;
+}
+
+// The pieces of all minima, by parameter.
+std::vector<ParameterRegion> region_of(const std::vector<MinimumUncertainty>& minima) {
+  std::vector<ParameterRegion> region;
+  const auto add = [&](const std::string& name, const std::string& unit, const Interval& piece) {
+    const auto same = std::find_if(region.begin(), region.end(), [&](const auto& one) { return one.name == name; });
+    if (same == region.end())
+      region.push_back({name, unit, {piece}});
+    else
+      same->pieces.push_back(piece);
+  };
+  for (const MinimumUncertainty& one : minima) {
+    for (const auto& parameter : one.parameters) add(parameter.name, parameter.unit, parameter.interval);
+    if (one.small_strain_modulus) add("small_strain_mu", "Pa", *one.small_strain_modulus);
+  }
+  for (ParameterRegion& one : region) one.pieces = united(one.pieces);
+  return region;
+}
+
+// A parameter that each piece would tell is unknown where all of them together are too wide.
+void judge_by_the_region(Uncertainty& uncertainty) {
+  for (MinimumUncertainty& one : uncertainty.minima)
+    for (ParameterUncertainty& parameter : one.parameters)
+      for (const ParameterRegion& region : uncertainty.region) {
+        if (region.name != parameter.name) continue;
+        const Interval all = hull(region.pieces);
+        const bool modulus = !parameter.unit.empty();
+        if (modulus ? all.low > 0 && all.high > hopeless_factor * all.low : all.high - all.low > hopeless_width)
+          parameter.identifiable = false;
+      }
 }
 
 }  // namespace
@@ -146,12 +185,16 @@ Uncertainty uncertainty_of(const CurveData& data, const CurveFit& fit, const Unc
   result.neighbour_correlation = neighbour_correlation(problem, residual);
   result.errors = error_source(problem, fit, sum, result.degrees_of_freedom);
   const double highest = threshold(result.errors, options.level, result.degrees_of_freedom);
+  std::optional<double> best_deviance;
   for (int k = 0; k < static_cast<int>(fit.minima.size()); ++k) {
     const double rise = residuals(problem, fit.minima[static_cast<std::size_t>(k)].solid).squaredNorm() - sum;
-    if (k == 0 || rise <= highest * (result.errors == ErrorSource::standard_errors ? 1 : variance))
-      result.minima.push_back(about(k, problem, fit, result.errors, std::sqrt(highest), options));
+    if (rise > surely_out * highest * (result.errors == ErrorSource::standard_errors ? 1 : variance)) continue;
+    if (auto one = about(k, problem, fit, result.errors, std::sqrt(highest), options, best_deviance))
+      result.minima.push_back(std::move(*one));
   }
+  result.region = region_of(result.minima);
   result.findings = uncertainty_findings(result, data, problem, fit);
+  if (!even_in_alpha(problem)) judge_by_the_region(result);
   return result;
 }
 

@@ -30,7 +30,9 @@ struct ParameterUncertainty {
   std::string name;  // "mu", "alpha"; "mu_1", .. where there are several terms
   std::string unit;  // "Pa" or empty
   double value = 0;
-  Interval interval;  // profile likelihood; an open end is where the search ended, of this or of another parameter
+  // Profile likelihood, the piece of the region about this minimum; an open end is where the search ended, of this or of another
+  // parameter.
+  Interval interval;
   double searched_low = 0, searched_high = 0;
   bool identifiable = true;
   std::optional<BootstrapIntervals> bootstrap;
@@ -46,6 +48,12 @@ struct MinimumUncertainty {
   int bootstrap_failed = 0;  // replicates that did not converge, all kinds together
 };
 
+// All that the points allow of a parameter, over every minimum that they cannot rule out.
+struct ParameterRegion {
+  std::string name, unit;  // those of the parameters, and "small_strain_mu" in "Pa" where there are several terms
+  Region pieces;
+};
+
 struct Uncertainty {
   UncertaintyOptions options;
   ErrorSource errors = ErrorSource::residuals;
@@ -53,6 +61,7 @@ struct Uncertainty {
   int degrees_of_freedom = 0;
   std::optional<double> neighbour_correlation;  // of residuals next to each other in the file
   std::vector<MinimumUncertainty> minima;       // the best, and those that the points cannot rule out
+  std::vector<ParameterRegion> region;
   std::vector<std::string> findings;
 };
 

@@ -4,7 +4,9 @@
 
 #include "percal/identify/job.hpp"
 #include "percal/identify/layer_width.hpp"
+#include "percal/scene/document_kind.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/scene/sphere_toml.hpp"
 #include "percal/text/csv.hpp"
 #include "percal/text/csv_cells.hpp"
 #include "percal/text/file.hpp"
@@ -20,9 +22,11 @@ const Range length = positive("length"), density = positive("density"), speed = 
 const Range strain = positive("strain"), factor = positive("factor");
 
 ParticleScene read_sphere(const TomlTable& block) {
-  return {.name = block.text("particle"),
-          .radius = block.quantity("radius", dimension::length, length),
-          .density = block.quantity("density", dimension::density, density),
+  const std::string name = block.text("particle");
+  const Sphere sphere = sphere_from(block);
+  return {.name = name,
+          .radius = sphere.radius,
+          .density = sphere.density,
           .speed = block.quantity("speed", dimension::speed, speed),
           .youngs_modulus = block.optional_quantity("youngs_modulus", dimension::pressure, pressure)};
 }
@@ -121,13 +125,8 @@ std::vector<PredictedShot> read_shots_to_predict(const TomlTable& block, const C
   const auto n = table.rows.size();
   std::vector<PredictedShot> shots(n);
   const auto lengths = [&](const std::string& key) { return column_of(block, key, table, dimension::length); };
-  const bool by_diameter = block.has("diameter_column");
-  const auto size = lengths(by_diameter ? "diameter_column" : "radius_column");
+  const auto spheres = spheres_of_rows(block, table);
   const auto speeds = column_of(block, "speed_column", table, dimension::speed);
-  const std::vector<double> densities =
-      block.has("particle_density_column")
-          ? column_of(block, "particle_density_column", table, dimension::density)
-          : std::vector<double>(n, block.quantity("particle_density", dimension::density, density));
   const std::vector<std::string> names = block.has("particle_column")
                                              ? table.texts(block.text("particle_column"))
                                              : std::vector<std::string>(n, block.text("particle", "sphere"));
@@ -136,8 +135,8 @@ std::vector<PredictedShot> read_shots_to_predict(const TomlTable& block, const C
   if (block.has("reference_column")) reference = lengths("reference_column");
   for (std::size_t i = 0; i < n; ++i) {
     shots[i] = {.particle = names[i],
-                .density = densities[i],
-                .radius = by_diameter ? size[i] / 2 : size[i],
+                .density = spheres[i].density,
+                .radius = spheres[i].radius,
                 .speed = speeds[i],
                 .measured = {},
                 .reference = {}};
@@ -292,6 +291,7 @@ IdentifyJob read_identify_job(const std::string& path) {
   job.file = path;
   job.text = read_file(path);
   const TomlTable root = parse_toml(job.text, path);
+  need_kind(root, DocumentKind::identify);
   job.title = root.text("title", path);
   const TomlTable convention = root.table("convention");
   job.convention = convention.word("modulus", {"true", "mu/alpha"}) == 1 ? ModulusConvention::mu_over_alpha

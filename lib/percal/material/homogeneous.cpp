@@ -86,6 +86,11 @@ bool says_compression(const std::string& word) {
   return plain == "compression" || plain == "uniaxialcompression";
 }
 
+bool says_tension(const std::string& word) {
+  const std::string plain = plain_word(word);
+  return plain == "tension" || plain == "uniaxialtension";
+}
+
 std::string word(Deformation deformation) {
   switch (deformation) {
     case Deformation::equibiaxial: return "equibiaxial";

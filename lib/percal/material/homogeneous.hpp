@@ -61,6 +61,8 @@ std::optional<Deformation> deformation_of(const std::string& word);
 
 // Whether the word says that the test is compression: compression, uniaxial_compression.
 bool says_compression(const std::string& word);
+// Whether it says tension and nothing else: tension, uniaxial_tension.
+bool says_tension(const std::string& word);
 
 // "uniaxial", "equibiaxial", "planar", "planar_held", "simple_shear", "general_biaxial".
 std::string word(Deformation deformation);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "percal/base/error.hpp"
+#include "percal/base/inputs.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal {
@@ -81,6 +82,7 @@ void remove_earlier_frames(const std::string& folder, const std::string& list) {
   std::vector<std::filesystem::path> found{list};
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     if (is_frame_file(entry.path().filename().string())) found.push_back(entry.path());
+  for (const auto& file : found) refuse_to_replace_input(file.string());
   for (const auto& file : found)
     if (!error) std::filesystem::remove(file, error);
   if (error) throw IoFailure(folder + ": an earlier series cannot be removed: " + error.message());

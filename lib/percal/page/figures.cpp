@@ -1,10 +1,9 @@
 #include "percal/page/figures.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <thread>
 
+#include "percal/base/threads.hpp"
 #include "percal/plot/gnuplot.hpp"
 #include "percal/plot/svg.hpp"
 #include "percal/text/file.hpp"
@@ -50,14 +49,8 @@ std::vector<const Figure*> figures_of(const Page& page) {
 DrawnFigures draw_figures(const Page& page) {
   const auto figures = figures_of(page);
   std::vector<std::string> texts(figures.size());
-  std::atomic<std::size_t> next = 0;
-  const auto draw = [&] {
-    for (std::size_t i; (i = next++) < figures.size();) texts[i] = drawn(*figures[i]);
-  };
-  std::vector<std::jthread> threads(std::min<std::size_t>(std::thread::hardware_concurrency(), figures.size()));
-  for (auto& thread : threads) thread = std::jthread(draw);
-  draw();
-  threads.clear();  // joins
+  side_by_side(threads_of_this_machine(), static_cast<int>(figures.size()),
+               [&](int i) { texts[i] = drawn(*figures[i]); });
   DrawnFigures all;
   for (std::size_t i = 0; i < figures.size(); ++i)
     if (!texts[i].empty()) all[figures[i]->name] = texts[i];

@@ -100,12 +100,27 @@ std::string interval_words(const Json& interval, const Dimension& dimension, int
   if (!low || !high) return absent;
   if (*low == *high) return "held";
   const auto end = [&](const std::optional<double>& value) { return quantity(value, dimension, digits); };
-  return (yes(interval, "low_open") ? "below " : "") + end(low) + " to " + (yes(interval, "high_open") ? "above " : "") +
-         end(high);
+  return (yes(interval, "low_open") ? "below " : "") + end(low) + " to " +
+         (yes(interval, "high_open") ? "above " : "") + end(high);
 }
 std::string interval_words(const Json& object, const std::string& key, int digits) {
   const std::string name = key + unit_beside(object, key);
   return interval_words(at(object, name), dimension_of_key(name), digits);
+}
+
+std::string region_words(const Json& region, const Dimension& dimension, int digits) {
+  std::string words;
+  for (const Json& piece : region) {
+    const auto ends = numbers(piece);
+    if (ends.size() == 2)
+      words += (words.empty() ? "" : " or ") + quantity(ends[0], dimension, digits) + " to " +
+               quantity(ends[1], dimension, digits);
+  }
+  return words.empty() ? absent : words;
+}
+std::string region_words(const Json& object, const std::string& key, int digits) {
+  const std::string name = key + unit_beside(object, key);
+  return region_words(at(object, name), dimension_of_key(name), digits);
 }
 
 std::string level_words(const Json& object) { return shown(100 * number_or(object, "level", NAN), 3) + " %"; }

@@ -69,6 +69,10 @@ std::string value_words(const Json& object, const std::string& key, int digits =
 std::string interval_words(const Json& interval, const Dimension& dimension, int digits = 3);
 std::string interval_words(const Json& object, const std::string& key, int digits = 3);
 
+// "1.2 MPa to 3.4 MPa or 5 MPa to 6 MPa" of the pieces [[low, high], ...], by themselves or under a key as above.
+std::string region_words(const Json& region, const Dimension& dimension, int digits = 3);
+std::string region_words(const Json& object, const std::string& key, int digits = 3);
+
 // "95 %": the level of confidence under `level`.
 std::string level_words(const Json& object);
 

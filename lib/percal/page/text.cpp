@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "percal/base/printable.hpp"
 #include "percal/page/table.hpp"
 
 namespace percal::page {
@@ -11,6 +12,13 @@ namespace {
 using Row = std::vector<std::string>;
 
 constexpr std::size_t least_folded_width = 16;
+
+// Cells as a terminal may show them: names in a result are some file's.
+Table printable_of(Table table) {
+  for (Row& row : table.rows)
+    for (std::string& cell : row) cell = printable(cell);
+  return table;
+}
 
 // UTF-8: every byte but a continuation byte starts a character.
 std::size_t characters(const std::string& text) {
@@ -110,7 +118,7 @@ std::string sentence(const std::string& text, const TextStyle& style, std::size_
   const auto columns = static_cast<std::size_t>(style.columns);
   const auto room = columns > indent + hang + least_folded_width ? columns - indent - hang : std::string::npos;
   std::string all;
-  for (const std::string& line : folded(text, room))
+  for (const std::string& line : folded(printable(text), room))
     all += std::string(indent + (all.empty() ? 0 : hang), ' ') + line + "\n";
   return all;
 }
@@ -151,7 +159,8 @@ std::vector<std::string> folded(const std::string& text, std::size_t width) {
   return lines;
 }
 
-std::string as_text(const Table& table, const TextStyle& style) {
+std::string as_text(const Table& written, const TextStyle& style) {
+  const Table table = printable_of(written);
   if (table.rows.empty()) return "";
   std::string text = table.caption.empty() ? "" : sentence(table.caption, style);
   const auto widths = widths_of(table.rows);
@@ -167,7 +176,7 @@ std::string as_text(const Table& table, const TextStyle& style) {
 }
 
 std::string as_text(const Section& section, const TextStyle& style) {
-  std::string text = bold(section.title, style) + "\n";
+  std::string text = bold(printable(section.title), style) + "\n";
   for (const Block& block : section.blocks) {
     const bool is_table = std::holds_alternative<Table>(block);
     if (is_table && &block != &section.blocks.front()) text += "\n";
@@ -178,7 +187,7 @@ std::string as_text(const Section& section, const TextStyle& style) {
 
 std::string as_text(const Page& page, const TextStyle& style) {
   std::string text =
-      bold(page.title, style) + "\n" + (page.summary.empty() ? "" : sentence(page.summary, style)) + "\n";
+      bold(printable(page.title), style) + "\n" + (page.summary.empty() ? "" : sentence(page.summary, style)) + "\n";
   for (const Section& section : page.sections)
     if (section.detail == Detail::answer || style.detail == Detail::more) text += as_text(section, style);
   return text;

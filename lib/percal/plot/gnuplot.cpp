@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 
 #include "percal/plot/svg.hpp"
 
@@ -88,10 +89,17 @@ std::optional<std::string> gnuplot(const std::string& script) {
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, out.end(1), STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;  // signals reach it, though this program may block them
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   char name[] = "gnuplot";
   char* const words[] = {name, nullptr};
   pid_t child = 0;
-  const int result = posix_spawnp(&child, name, &actions, nullptr, words, environ);
+  const int result = posix_spawnp(&child, name, &actions, &attributes, words, environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   close(input);
   if (result != 0) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "percal/scaling/similar_scene.hpp"
+#include "percal/scene/document_kind.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/text/toml.hpp"
@@ -35,18 +36,16 @@ ScaleJob job_from(const TomlTable& root) {
 }  // namespace
 
 ScaleJob parse_scale_job(const std::string& text, const std::string& name) {
-  ScaleJob job = job_from(parse_toml(text, name));
+  const TomlTable root = parse_toml(text, name);
+  need_kind(root, DocumentKind::scale);
+  ScaleJob job = job_from(root);
   job.file = name;
   job.text = text;
   return job;
 }
 
 ScaleJob read_scale_job(const std::string& path) {
-  const TomlTable root = read_toml(path);
-  ScaleJob job = job_from(root);
-  job.file = path;
-  job.text = read_file(path);
-  return job;
+  return parse_scale_job(read_file(path), path);
 }
 
 void check_output_scene(const ScaleJob& job) {

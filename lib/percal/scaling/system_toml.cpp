@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "percal/scene/sphere_toml.hpp"
+
 namespace percal {
 namespace {
 
@@ -15,6 +17,19 @@ void read_number(const TomlTable& table, const SystemQuantity& quantity, System&
       quantity.member == &System::alpha || quantity.member == &System::mu;  // mu: checked once it is true
   auto range = may_be_negative ? any_number() : positive(quantity.words);
   if (auto number = table.optional_quantity(quantity.key, quantity.dimension, range)) system.*quantity.member = number;
+}
+
+// What says radius and density in other words.
+void read_diameter_and_mass(const TomlTable& table, System& system) {
+  if (const auto diameter = table.optional_quantity("diameter", dimension::length, positive("length"))) {
+    if (system.radius) table.refuse("diameter", "this beside radius", "one of the two");
+    system.radius = *diameter / 2;
+  }
+  if (const auto mass = table.optional_quantity("particle_mass", dimension::mass, positive("mass"))) {
+    if (system.particle_density) table.refuse("particle_mass", "this beside particle_density", "one of the two");
+    if (!system.radius) table.refuse("particle_mass", "this without a radius", "radius or diameter beside it");
+    system.particle_density = sphere_density(*mass, *system.radius);
+  }
 }
 
 void take_true_modulus(const TomlTable& table, SystemInput& input, const SystemInput& otherwise) {
@@ -48,6 +63,7 @@ SystemInput read_system(const TomlTable& table, const SystemInput& otherwise) {
       {word(StrainMeasure::engineering), word(StrainMeasure::true_strain), word(StrainMeasure::green_lagrange)},
       static_cast<int>(otherwise.measure)));
   for (const auto& quantity : system_quantities()) read_number(table, quantity, input.system);
+  read_diameter_and_mass(table, input.system);
   if (input.system.erosion_strain && input.measure != StrainMeasure::engineering)
     input.system.erosion_strain =
         strain_at(stretch_at(*input.system.erosion_strain, input.measure), StrainMeasure::engineering);

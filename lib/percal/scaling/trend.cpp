@@ -10,8 +10,8 @@ std::vector<double> positive_numbers(const CsvTable& table, const std::string& c
   auto numbers = table.numbers(column, dimension);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (!(numbers[i] > 0))
-      throw BadInput({table.file, table.rows[i].line, column},
-                     table.rows[i].cells[static_cast<std::size_t>(table.column(column))], "a positive number");
+      throw BadInput({table.file, table.rows[i].line, column}, table.cell(table.rows[i], table.column(column)),
+                     "a positive number");
   return numbers;
 }
 

@@ -5,6 +5,7 @@
 
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
+#include "percal/scene/sphere_toml.hpp"
 #include "percal/text/csv.hpp"
 #include "percal/units/words.hpp"
 
@@ -57,7 +58,7 @@ Polygon rhombus(const TomlTable& table) {
 }
 
 Polygon cone(const TomlTable& table) {
-  const double radius = table.quantity("radius", dimension::length, positive("length"));
+  const double radius = radius_from(table);
   const double height = radius / std::tan(half_tip_angle(table));
   return {{0, 0}, {radius, height}, {-radius, height}};
 }
@@ -111,6 +112,17 @@ std::optional<double> mass_from(const TomlTable& table, Geometry geometry) {
   return mass && thickness ? *mass / *thickness : mass;
 }
 
+// kg/m3: by the mass of a body of `per_density` m3, or m2 of a prism, or as the table says it.
+double density_from(const TomlTable& table, std::optional<double> mass, double per_density) {
+  if (!mass) return table.quantity("density", dimension::density, positive("density"));
+  table.knows("density");
+  const double density = *mass / per_density;
+  if (!std::isnormal(density))
+    table.refuse("mass", "a mass whose density is out of the range of numbers",
+                 "a mass that fits the size of the particle");
+  return density;
+}
+
 // Shapes other than round ones; `shape` is "profile", "rhombus" or "cone". Sets shape, radius and density.
 void read_profile(const TomlTable& table, const std::string& shape, Geometry geometry, ParticleScene& particle) {
   if (shape == "cone" && geometry == Geometry::plane_strain)
@@ -140,18 +152,16 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
         "\"fixed\"; a body of revolution that turns is no longer axisymmetric (geometry = \"plane strain\" lets it)");
   profile.mass = mass_from(table, geometry);
   particle.radius = half_width(standing(profile));
-  if (profile.mass) {
-    const double per_density =
-        solid_body(profile, geometry).measure * (geometry == Geometry::axisymmetric ? 4 * right_angle : 1);
-    table.knows("density");
-    particle.density = *profile.mass / per_density;
-    if (!std::isnormal(particle.density))
-      table.refuse("mass", "a mass whose density is out of the range of numbers",
-                   "a mass that fits the size of the particle");
-  } else {
-    particle.density = table.quantity("density", dimension::density, positive("density"));
-  }
+  particle.density =
+      density_from(table, profile.mass,
+                   solid_body(profile, geometry).measure * (geometry == Geometry::axisymmetric ? 4 * right_angle : 1));
   particle.shape = std::move(profile);
+}
+
+// m3 of a sphere; m2 of a cylinder on its side, per metre of thickness.
+double round_measure(double radius, Geometry geometry) {
+  const double circle = std::numbers::pi * radius * radius;
+  return geometry == Geometry::axisymmetric ? 4.0 / 3 * circle * radius : circle;
 }
 
 // Keys that another shape has. They are known, and refused where they are given.
@@ -195,14 +205,13 @@ ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
   ParticleScene particle;
   particle.name = table.text("name", shape);
   if (shape == "sphere" || shape == "cylinder") {
-    particle.radius = table.quantity("radius", dimension::length, positive("length"));
-    particle.density = table.quantity("density", dimension::density, positive("density"));
+    particle.radius = radius_from(table);
+    particle.density = density_from(table, mass_from(table, geometry), round_measure(particle.radius, geometry));
     refuse_keys(table, {"vertices", "side", "tip_angle", "orientation", "rotation"}, shape,
-                "the keys of a round particle: radius and density");
-    refuse_keys(table, {"mass", "thickness"}, shape, "density; a mass is given with profiles only");
+                "the keys of a round particle: radius or diameter, density or mass");
   } else {
     const bool cone = shape == "cone", profile = shape == "profile";
-    if (!cone) refuse_keys(table, {"radius"}, shape, "no radius: it is half the width of the shape as it stands");
+    if (!cone) refuse_keys(table, {"radius", "diameter"}, shape, "no radius: it is half the width of the shape as it stands");
     if (shape != "rhombus") refuse_keys(table, {"side"}, shape, "side only of a rhombus");
     if (profile) refuse_keys(table, {"tip_angle"}, shape, "tip_angle only of a rhombus or a cone");
     if (!profile) refuse_keys(table, {"vertices"}, shape, "vertices only beside shape = \"profile\"");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "percal/scene/document_kind.hpp"
 #include "percal/scene/erosion_length.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
@@ -308,6 +309,7 @@ Scene scene_from(const TomlTable& table) {
 
 Scene read_scene(const std::string& path) {
   const TomlTable root = read_toml(path);
+  need_kind(root, DocumentKind::scene);
   Scene scene = scene_from(root);
   root.finish();
   return scene;
@@ -315,6 +317,7 @@ Scene read_scene(const std::string& path) {
 
 Scene parse_scene(const std::string& text, const std::string& name) {
   const TomlTable root = parse_toml(text, name);
+  need_kind(root, DocumentKind::scene);
   Scene scene = scene_from(root);
   root.finish();
   return scene;

@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "percal/base/error.hpp"
+#include "percal/base/inputs.hpp"
+#include "percal/store/taken_copy.hpp"
 
 namespace percal {
 namespace {
@@ -31,6 +33,10 @@ constexpr const char* schema = R"sql(
 constexpr const char* notes_schema =
     "CREATE TABLE IF NOT EXISTS notes (name TEXT PRIMARY KEY NOT NULL, text TEXT NOT NULL) WITHOUT ROWID";
 
+}  // namespace
+
+namespace sqlite {
+
 struct CloseDatabase {
   void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 };
@@ -40,11 +46,15 @@ struct FinalizeStatement {
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 using Statement = std::unique_ptr<sqlite3_stmt, FinalizeStatement>;
 
-}  // namespace
+}  // namespace sqlite
+
+using sqlite::Database, sqlite::Statement;
 
 // One connection, used under the mutex.
 struct Store::Connection {
-  std::string path;
+  std::unique_ptr<TakenCopy> copy;  // of a store that is not to be touched; goes after the database is closed
+  std::string path;                 // for messages
+  std::string file;                 // what is opened
   mutable std::mutex mutex;
   Database database;
   Statement select, select_from, insert, count, select_note, insert_note;
@@ -108,7 +118,7 @@ struct Store::Connection {
   void open() {
     sqlite3* raw = nullptr;
     const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
-    const int result = sqlite3_open_v2(path.c_str(), &raw, flags, nullptr);
+    const int result = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
     database.reset(raw);
     if (result != SQLITE_OK) fail("cannot open the store");
     sqlite3_busy_timeout(database.get(), busy_milliseconds);
@@ -203,8 +213,24 @@ std::string full_path(const std::string& path) {
 
 }  // namespace
 
-Store::Store(const std::string& path) : connection_(std::make_unique<Connection>()) {
-  connection_->path = full_path(path);
+Store::Store() : connection_(std::make_unique<Connection>()) {}
+
+Store::Store(const std::string& path) : Store() {
+  connection_->path = connection_->file = full_path(path);
+  open();
+  remember_input(connection_->file);  // nothing that a command writes may replace it either
+}
+
+Store Store::copy_of(const std::string& path) {
+  Store store;
+  store.connection_->path = path;
+  store.connection_->copy = std::make_unique<TakenCopy>(path);
+  store.connection_->file = store.connection_->copy->file();
+  store.open();
+  return store;
+}
+
+void Store::open() {
   connection_->open();
   connection_->refuse_foreign();
   connection_->switch_to_wal();

@@ -27,6 +27,9 @@ class Store {
  public:
   // Opens or creates. Throws IoFailure (unwritable folder, not a store, a newer schema).
   explicit Store(const std::string& path);
+  // Another store as it stands, which is neither locked nor touched and may lie where nobody can write: a copy of it in a temporary
+  // folder, that goes with the object. Throws IoFailure (no store; still being written to).
+  static Store copy_of(const std::string& path);
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
@@ -50,6 +53,8 @@ class Store {
   const std::string& path() const;
 
  private:
+  Store();
+  void open();
   std::vector<std::pair<std::string, std::string>> notes() const;
 
   struct Connection;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "percal/text/csv_cells.hpp"
@@ -102,7 +103,7 @@ std::vector<std::optional<double>> read_numbers(const CsvTable& table, int index
   std::vector<std::optional<double>> values;
   values.reserve(table.rows.size());
   for (const auto& row : table.rows) {
-    const std::string& cell = row.cells.at(index);
+    const std::string cell = table.cell(row, index);
     values.emplace_back();
     if (cell.empty() && may_be_empty) continue;
     const ParsedNumber number = parse_number(cell, table.dialect.decimal_comma);
@@ -119,19 +120,54 @@ std::vector<std::optional<double>> read_numbers(const CsvTable& table, int index
   return values;
 }
 
+// As the command line writes it or as the file does.
+ParsedNumber number_of_condition(const std::string& value, bool decimal_comma) {
+  const auto plain = parse_number(value, false);
+  return plain.value ? plain : parse_number(value, decimal_comma);
+}
+
 bool same_value(const std::string& cell, const std::string& value, bool decimal_comma) {
   if (cell == value) return true;
-  const auto a = parse_number(cell, decimal_comma);
-  auto b = parse_number(value, false);
-  if (!b.value) b = parse_number(value, decimal_comma);
+  const auto a = parse_number(cell, decimal_comma), b = number_of_condition(value, decimal_comma);
   return a.value && b.value && *a.value == *b.value;
+}
+
+struct Condition {
+  std::string column, sign, value;  // sign: =, !=, <, <=, > or >=
+};
+
+// The first sign divides.
+Condition condition_of(const std::string& text, const std::string& file) {
+  const auto at = text.find_first_of("=<>!");
+  Condition condition;
+  if (at != std::string::npos) {
+    const std::size_t length = at + 1 < text.size() && text[at] != '=' && text[at + 1] == '=' ? 2 : 1;
+    condition = {trimmed(text.substr(0, at)), text.substr(at, length), trimmed(text.substr(at + length))};
+  }
+  if (condition.column.empty() || condition.sign == "!")
+    throw BadInput({file, 0, ""}, "the condition " + in_quotes(text),
+                   "COLUMN=VALUE, COLUMN!=VALUE, or COLUMN<NUMBER with <, <=, > or >=");
+  return condition;
+}
+
+// `fault` gets what a comparison cannot use.
+template <class Fault>
+bool is_met(const Condition& condition, const std::string& cell, bool decimal_comma, const Fault& fault) {
+  const auto& [column, sign, value] = condition;
+  if (sign == "=" || sign == "!=") return same_value(cell, value, decimal_comma) == (sign == "=");
+  const auto limit = number_of_condition(value, decimal_comma), number = parse_number(cell, decimal_comma);
+  if (!number.value) return fault(number.fault + ", which " + sign + " compares with no number"), false;
+  if (sign == "<") return *number.value < *limit.value;
+  if (sign == "<=") return *number.value <= *limit.value;
+  if (sign == ">") return *number.value > *limit.value;
+  return *number.value >= *limit.value;
 }
 
 // The different cells of a column in their order, at most 20 of them.
 std::string values_there_are(const CsvTable& table, int column) {
   std::vector<std::string> seen;
   for (const auto& row : table.rows) {
-    const std::string cell = in_quotes(row.cells[column]);
+    const std::string cell = in_quotes(table.cell(row, column));
     if (std::find(seen.begin(), seen.end(), cell) != seen.end()) continue;
     seen.push_back(seen.size() < 20 ? cell : "...");
     if (seen.size() > 20) break;
@@ -143,43 +179,61 @@ std::string values_there_are(const CsvTable& table, int column) {
 
 }  // namespace
 
-CsvTable parse_csv(const std::string& given, const std::string& name) {
-  const CsvLayout layout = find_layout(as_utf8(given, name), name);
+CsvTable parse_csv(std::string given, const std::string& name) {
   CsvTable table;
   table.file = name;
+  table.text = std::make_shared<const std::string>(as_utf8(std::move(given), name));
+  CsvLayout layout = find_layout(*table.text, name);
   table.header_line = layout.header.number;
   table.dialect.separator = layout.separator;
-  for (const auto& line : layout.before) table.passed_over.push_back(line.number);
+  table.passed_over = layout.before;
   table.columns = read_header(layout.header, layout.separator, name);
   if (layout.units) read_units(*layout.units, layout.separator, table);
 
   LineFaults faults(name);
   const std::size_t width = table.columns.size();
-  for (const auto& line : layout.rows) {
-    auto cells = split_cells(line.text, layout.separator);
+  const bool may_have_commas = layout.separator != ',';
+  table.rows = std::move(layout.rows);
+  std::erase_if(table.rows, [&](const CsvRow& row) {
+    auto cells = split_cells(table.text->substr(row.begin, row.length), layout.separator);
     if (!cells) {
-      faults.add(line.number,
+      faults.add(row.line,
                  "found a quoted cell that is not closed; accepted: \"...\" within one line, a quote inside doubled");
-      continue;
+      return true;
     }
-    if (std::all_of(cells->begin(), cells->end(), [](const auto& cell) { return cell.empty(); })) continue;
+    if (std::all_of(cells->begin(), cells->end(), [](const auto& cell) { return cell.empty(); })) return true;
     while (cells->size() > width && cells->back().empty()) cells->pop_back();
     if (cells->size() != width)
-      faults.add(line.number, fmt::format("found {} cell{}; accepted: {}, one for each column of the header in line {}",
-                                          cells->size(), cells->size() == 1 ? "" : "s", width, table.header_line));
-    table.rows.push_back({line.number, std::move(*cells)});
-  }
+      faults.add(row.line, fmt::format("found {} cell{}; accepted: {}, one for each column of the header in line {}",
+                                       cells->size(), cells->size() == 1 ? "" : "s", width, table.header_line));
+    if (may_have_commas && !table.dialect.decimal_comma)
+      table.dialect.decimal_comma = std::any_of(cells->begin(), cells->end(), looks_like_decimal_comma);
+    return false;
+  });
   faults.throw_if_any();
   if (table.rows.empty())
     throw BadInput({name, table.header_line, ""}, "a header without rows", "at least one row of numbers");
-  if (table.dialect.separator != ',')
-    table.dialect.decimal_comma = std::any_of(table.rows.begin(), table.rows.end(), [](const CsvRow& row) {
-      return std::any_of(row.cells.begin(), row.cells.end(), looks_like_decimal_comma);
-    });
   return table;
 }
 
-CsvTable read_csv(const std::string& path) { return parse_csv(read_file(path), path); }
+CsvTable read_csv(const std::string& path) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path, none);
+  if (!none && size > largest_csv)
+    throw BadInput({path, 0, ""}, fmt::format("a file of {:.0f} MiB", static_cast<double>(size) / (1 << 20)),
+                   fmt::format("at most {} MiB: leave out rows or columns", largest_csv >> 20));
+  return parse_csv(read_file(path), path);
+}
+
+std::vector<std::string> CsvTable::cells(const CsvRow& row) const {
+  auto all = split_cells(text->substr(row.begin, row.length), dialect.separator).value_or(std::vector<std::string>{});
+  all.resize(columns.size());
+  return all;
+}
+
+std::string CsvTable::cell(const CsvRow& row, int column) const {
+  return cells(row).at(static_cast<std::size_t>(column));
+}
 
 std::optional<int> CsvTable::find(const std::string& wanted) const {
   const std::string word = lower_case(wanted);
@@ -222,25 +276,32 @@ std::vector<std::optional<double>> CsvTable::optional_numbers(const std::string&
 
 std::vector<std::string> CsvTable::texts(const std::string& name) const {
   const int index = column(name);
-  std::vector<std::string> cells;
-  cells.reserve(rows.size());
-  for (const auto& row : rows) cells.push_back(row.cells.at(index));
-  return cells;
+  std::vector<std::string> all;
+  all.reserve(rows.size());
+  for (const auto& row : rows) all.push_back(cell(row, index));
+  return all;
 }
 
 CsvTable CsvTable::where(const std::vector<std::string>& conditions) const {
   CsvTable kept = *this;
-  for (const auto& condition : conditions) {
-    const auto equals = condition.find('=');
-    if (equals == std::string::npos || trimmed(condition.substr(0, equals)).empty())
-      throw BadInput({file, 0, ""}, "the condition " + in_quotes(condition), "COLUMN=VALUE");
-    const int index = column(trimmed(condition.substr(0, equals)));
-    const std::string value = trimmed(condition.substr(equals + 1));
+  for (const auto& text_of_condition : conditions) {
+    const Condition condition = condition_of(text_of_condition, file);
+    const int index = column(condition.column);
+    if (condition.sign.find_first_of("<>") == 0 && !number_of_condition(condition.value, dialect.decimal_comma).value)
+      throw BadInput({file, 0, ""}, "the condition " + in_quotes(text_of_condition),
+                     "a number behind " + condition.sign);
+    LineFaults faults(file);
     std::vector<CsvRow> matching;
-    for (const auto& row : kept.rows)
-      if (same_value(row.cells[index], value, dialect.decimal_comma)) matching.push_back(row);
+    for (const auto& row : kept.rows) {
+      const std::string found = cell(row, index);
+      if (is_met(condition, found, dialect.decimal_comma,
+                 [&](const std::string& what) { faults.add(row.line, columns[index].header + ": found " + what); }))
+        matching.push_back(row);
+    }
+    faults.throw_if_any();
     if (matching.empty())
-      throw BadInput({file, 0, columns[index].header}, "no row with " + in_quotes(value),
+      throw BadInput({file, 0, columns[index].header},
+                     "no row with " + (condition.sign == "=" ? "" : condition.sign + " ") + in_quotes(condition.value),
                      values_there_are(kept, index));
     kept.rows = std::move(matching);
   }

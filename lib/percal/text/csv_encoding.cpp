@@ -44,14 +44,16 @@ std::string from_utf16(const std::string& bytes, std::size_t low, const std::str
 
 }  // namespace
 
-std::string as_utf8(const std::string& bytes, const std::string& file) {
-  if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0"))
+std::string as_utf8(std::string text, const std::string& file) {
+  if (text.starts_with("PK\x03\x04") || text.starts_with("\xD0\xCF\x11\xE0"))
     throw BadInput({file, 0, ""}, "a spreadsheet (.xlsx, .xls or .ods)",
                    "text: save its sheet as \"CSV UTF-8\" and give that file");
-  std::string text = bytes;
-  if (bytes.starts_with("\xFF\xFE")) text = from_utf16(bytes, 0, file);
-  if (bytes.starts_with("\xFE\xFF")) text = from_utf16(bytes, 1, file);
-  if (bytes.starts_with("\xEF\xBB\xBF")) text = bytes.substr(3);
+  if (text.starts_with("\xFF\xFE"))
+    text = from_utf16(text, 0, file);
+  else if (text.starts_with("\xFE\xFF"))
+    text = from_utf16(text, 1, file);
+  else if (text.starts_with("\xEF\xBB\xBF"))
+    text.erase(0, 3);
   if (text.find('\0') != std::string::npos)
     throw BadInput({file, 0, ""}, "NUL bytes (a binary file, or text in UTF-16 without a byte-order mark)",
                    "text in UTF-8");

@@ -16,14 +16,15 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 // The lines that carry something: no comments, none of blanks and separators alone. Lines end with LF, CRLF or CR.
-std::vector<CsvLine> content_lines(const std::string& text) {
-  std::vector<CsvLine> lines;
+std::vector<CsvRow> content_lines(const std::string& text) {
+  std::vector<CsvRow> lines;
+  lines.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
   int number = 1;
   for (std::size_t start = 0; start <= text.size(); ++number) {
     const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
-    const std::string line = text.substr(start, end - start);
-    const std::string content = trimmed(line);
-    if (content.find_first_not_of(",;\t ") != std::string::npos && content[0] != '#') lines.push_back({number, line});
+    const std::string content = trimmed(text.substr(start, end - start));
+    if (content.find_first_not_of(",;\t ") != std::string::npos && content[0] != '#')
+      lines.push_back({number, static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(end - start)});
     start = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
   }
   return lines;
@@ -168,11 +169,14 @@ std::optional<std::vector<std::string>> split_cells(const std::string& line, cha
 }
 
 CsvLayout find_layout(const std::string& text, const std::string& file) {
-  std::vector<CsvLine> lines = content_lines(text);
+  std::vector<CsvRow> all = content_lines(text);
+  std::vector<CsvLine> lines;  // the first of them
+  for (std::size_t i = 0; i < std::min(all.size(), surveyed + 1); ++i)
+    lines.push_back({all[i].line, text.substr(all[i].begin, all[i].length)});
   if (lines.empty()) throw BadInput({file, 0, ""}, "no header and no rows", "a header line and at least one row");
   CsvLayout layout;
   const auto named = named_separator(lines[0].text);
-  if (named) lines.erase(lines.begin());
+  if (named) lines.erase(lines.begin()), all.erase(all.begin());
   if (lines.empty()) throw BadInput({file, 1, ""}, "no header and no rows", "a header line and at least one row");
   layout.separator = named.value_or(find_separator(lines[0].text));
   FoundTable table{0, 1, {}};
@@ -186,11 +190,11 @@ CsvLayout find_layout(const std::string& text, const std::string& file) {
         break;
       }
   }
-  const auto at = [&](std::size_t i) { return lines.begin() + static_cast<std::ptrdiff_t>(i); };
-  layout.before.assign(lines.begin(), at(table.header));
+  for (std::size_t i = 0; i < table.header; ++i) layout.before.push_back(lines[i].number);
   layout.header = lines[table.header];
   if (table.units) layout.units = lines[*table.units];
-  layout.rows.assign(at(table.first_row), lines.end());
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(table.first_row));
+  layout.rows = std::move(all);
   return layout;
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "percal/text/csv.hpp"
+
 namespace percal {
 
 struct CsvLine {
@@ -16,10 +18,10 @@ std::optional<std::vector<std::string>> split_cells(const std::string& line, cha
 
 struct CsvLayout {
   char separator = ',';
-  std::vector<CsvLine> before;  // titles of a testing machine
+  std::vector<int> before;  // lines: titles of a testing machine
   CsvLine header;
   std::optional<CsvLine> units;  // a second header row that holds units
-  std::vector<CsvLine> rows;
+  std::vector<CsvRow> rows;
 };
 
 // The first line is the header where the lines below have its number of cells. Where they have not, or where a line of text follows, the
@@ -29,6 +31,6 @@ CsvLayout find_layout(const std::string& text, const std::string& file);
 
 // The text of a file in UTF-8 without its byte-order mark; UTF-16 with a mark is converted. Throws BadInput for spreadsheets (.xlsx, .xls,
 // .ods), which says what to save, for other binary files, and for broken UTF-16.
-std::string as_utf8(const std::string& bytes, const std::string& file);
+std::string as_utf8(std::string text, const std::string& file);
 
 }  // namespace percal

@@ -1,17 +1,22 @@
 #include "percal/text/file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <random>
+#include <set>
 #include <utility>
 
+#include "percal/base/ending.hpp"
 #include "percal/base/error.hpp"
+#include "percal/base/inputs.hpp"
 
 namespace percal {
 namespace {
@@ -29,8 +34,11 @@ class Descriptor {
   ~Descriptor() {
     if (number_ >= 0) ::close(number_);
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
   int number() const { return number_; }
   int close() { return ::close(std::exchange(number_, -1)); }
 
@@ -38,41 +46,71 @@ class Descriptor {
   int number_;
 };
 
-// Holds back, on this thread, the signals that ask the program to end.
-class EndLater {
- public:
-  EndLater() {
-    sigset_t ends;
-    sigemptyset(&ends);
-    sigaddset(&ends, SIGINT);
-    sigaddset(&ends, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &ends, &before_);
-  }
-  ~EndLater() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  EndLater(const EndLater&) = delete;
-  EndLater& operator=(const EndLater&) = delete;
+// Files of this form are nobody's but those of a process that writes, and holds a lock on them.
+constexpr std::string_view temporary_prefix = ".percal-", temporary_suffix = ".tmp";
 
- private:
-  sigset_t before_;
-};
+bool is_temporary_name(const std::string& name) {
+  return name.starts_with(temporary_prefix) && name.ends_with(temporary_suffix);
+}
 
-// A name that is removed again unless it was renamed, also where somebody interrupts the program meanwhile.
-class TemporaryName {
- public:
-  explicit TemporaryName(const fs::path& folder) {
-    static std::atomic<unsigned> counter{0};
-    name_ = (folder / (".percal-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp")).string();
+// Removes what killed processes have left in the folder. Looked for once in each folder.
+void tidy(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<std::string> tidied;
+  {
+    const std::lock_guard lock(mutex);
+    if (!tidied.insert(folder.string()).second) return;
   }
-  ~TemporaryName() {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path& path = entry->path();
+    if (!is_temporary_name(path.filename().string())) continue;
+    const Descriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file.number() >= 0 && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+  }
+}
+
+// A new file under a name of its own, locked, and removed again unless it was renamed. The process does not end on a signal
+// meanwhile; where it is killed, the lock goes with it and the next one that writes here tidies up.
+class TemporaryFile {
+ public:
+  // `path`: for messages.
+  TemporaryFile(const fs::path& folder, const std::string& path) : file_(-1) {
+    tidy(folder);
+    constexpr int most_attempts = 100;
+    std::random_device random;
+    for (int attempt = 0; file_.number() < 0; ++attempt) {
+      name_ = (folder / fmt::format("{}{:08x}{:08x}{}", temporary_prefix, random(), random(), temporary_suffix)).string();
+      Descriptor file(::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      if (file.number() < 0 && (errno != EEXIST || attempt == most_attempts)) {
+        const int reason = errno;
+        name_.clear();
+        fail(path, "cannot create a file in its folder", reason);
+      }
+      if (file.number() < 0) continue;
+      ::flock(file.number(), LOCK_EX);  // a file system without locks has nobody who tidies either
+      struct stat status;
+      if (::fstat(file.number(), &status) == 0 && status.st_nlink == 0) continue;  // tidied away before the lock
+      file_ = std::move(file);
+    }
+  }
+  ~TemporaryFile() {
     if (!name_.empty()) ::unlink(name_.c_str());
   }
-  TemporaryName(const TemporaryName&) = delete;
-  TemporaryName& operator=(const TemporaryName&) = delete;
-  const char* text() const { return name_.c_str(); }
-  void renamed() { name_.clear(); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  int number() const { return file_.number(); }
+
+  // In place of `target`; the lock is kept until then. Returns false with errno where it cannot be.
+  bool rename_to(const fs::path& target) {
+    if (::rename(name_.c_str(), target.c_str()) != 0) return false;
+    name_.clear();
+    return true;
+  }
 
  private:
   EndLater end_later_;  // gone after the name is
+  Descriptor file_;
   std::string name_;
 };
 
@@ -114,40 +152,46 @@ void write_in_place(const std::string& path, const std::string& content) {
 // Writes `content` under a temporary name beside `target`, then renames. `path` is the name for messages.
 void replace(const fs::path& target, const std::string& content, const std::string& path) {
   const fs::path folder = folder_of(target);
-  TemporaryName temporary(folder);
-  Descriptor file(::open(temporary.text(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number() < 0) fail(path, "cannot create a file in its folder", errno);
+  TemporaryFile file(folder, path);
   struct stat before;
   if (::stat(target.c_str(), &before) == 0) {
     if (::fchmod(file.number(), before.st_mode & 07777) != 0) fail(path, "cannot keep its permissions", errno);
   }
   write_all(file.number(), content, path);
   sync(file.number(), path);
-  if (file.close() != 0) fail(path, "cannot write", errno);
-  if (::rename(temporary.text(), target.c_str()) != 0) fail(path, "cannot put the finished file in place", errno);
-  temporary.renamed();
+  if (!file.rename_to(target)) fail(path, "cannot put the finished file in place", errno);
   // The new name itself must survive a power cut too; a file system that cannot do so has still got the file.
   const Descriptor names(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (names.number() >= 0) ::fsync(names.number());
 }
 
-}  // namespace
-
-void write_file(const std::string& path, const std::string& content) {
+// What `path` is, followed where it is a link. Throws where it cannot be a file's name, or is a folder's.
+fs::file_status status_of(const std::string& path) {
   if (path.empty() || path.find('\0') != std::string::npos)
     throw IoFailure("a file name may not be empty or hold a zero byte");
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, "cannot write", EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, content);
+  if (fs::is_directory(status)) throw IoFailure(path + ": is a folder, not a file");
+  return status;
+}
+
+bool is_pipe_or_device(const fs::file_status& status) { return fs::exists(status) && !fs::is_regular_file(status); }
+
+}  // namespace
+
+void write_file(const std::string& path, const std::string& content) {
+  const fs::file_status status = status_of(path);
+  if (is_pipe_or_device(status)) return write_in_place(path, content);
+  refuse_to_replace_input(path);
   // A link stays a link: what it points to is replaced.
+  std::error_code error;
   const fs::path target = fs::is_regular_file(status) ? fs::canonical(path, error) : fs::path(path);
-  if (error && fs::is_regular_file(status)) fail(path, "cannot follow the link", error.value());
+  if (error) fail(path, "cannot follow the link", error.value());
   create_folders(folder_of(target));
   replace(target, content, path);
 }
 
-std::string read_file(const std::string& path) {
+std::string read_output(const std::string& path) {
   constexpr std::size_t largest = std::size_t{1} << 30;  // bytes; no input of this program is near it
   if (path.empty() || path.find('\0') != std::string::npos)
     throw BadInput("a file name may not be empty or hold a zero byte");
@@ -158,9 +202,18 @@ std::string read_file(const std::string& path) {
     fail(path, "cannot read", errno);
   }
   struct stat status;
-  if (::fstat(file.number(), &status) == 0 && S_ISDIR(status.st_mode))
-    throw BadInput(path + ": is a folder, not a file");
+  if (::fstat(file.number(), &status) != 0) fail(path, "cannot read", errno);
+  if (S_ISDIR(status.st_mode)) throw BadInput(path + ": is a folder, not a file");
   std::string content;
+  if (S_ISREG(status.st_mode)) {
+    const auto size = static_cast<std::size_t>(status.st_size);
+    if (size > largest) throw BadInput(path + ": is larger than 1 GiB");
+    try {
+      content.reserve(size);
+    } catch (const std::bad_alloc&) {
+      throw NoMemory(path, static_cast<double>(size));
+    }
+  }
   char block[1 << 16];
   for (;;) {
     const ssize_t count = ::read(file.number(), block, sizeof block);
@@ -171,15 +224,24 @@ std::string read_file(const std::string& path) {
   }
 }
 
+std::string read_file(const std::string& path) {
+  std::string content = read_output(path);
+  remember_input(path);
+  return content;
+}
+
 void ensure_writable_folder(const std::string& folder) {
   if (folder.empty()) throw IoFailure("the name of the folder for results is empty");
   create_folders(folder);
-  const TemporaryName probe(folder);
-  Descriptor file(::open(probe.text(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number() < 0) fail(folder, "cannot create files in this folder", errno);
-  write_all(file.number(), std::string(4096, '\n'), folder);  // one disk block, so that a full disk shows
-  sync(file.number(), folder);
-  if (file.close() != 0) fail(folder, "cannot write files in this folder", errno);
+  TemporaryFile probe(folder, folder);
+  write_all(probe.number(), std::string(4096, '\n'), folder);  // one disk block, so that a full disk shows
+  sync(probe.number(), folder);
+}
+
+void ensure_writable_file(const std::string& path) {
+  if (is_pipe_or_device(status_of(path))) return;
+  refuse_to_replace_input(path);
+  ensure_writable_folder(folder_of(path).string());
 }
 
 }  // namespace percal

@@ -38,9 +38,20 @@ std::vector<double> column_of(const TomlTable& block, const std::string& key, co
   auto values = table.numbers(index, dimension);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!contains(range, values[i]))
-      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.rows[i].cells[index],
+      throw BadInput({table.file, table.rows[i].line, table.columns[index].header}, table.cell(table.rows[i], index),
                      words_of(range));
   return values;
+}
+
+std::vector<double> values_of_rows(const TomlTable& block, const std::string& key, const CsvTable& table,
+                                   const Dimension& dimension, const Range& range) {
+  const std::string column = key + "_column";
+  if (block.has(key) && block.has(column)) block.refuse(column, "this beside " + key, "one of the two");
+  if (block.has(column)) return column_of(block, column, table, dimension, range);
+  block.knows(column);
+  if (!block.has(key))
+    block.refuse(key, "no such key", words_of(range, dimension) + ", or " + column + " = \"COLUMN\"");
+  return std::vector<double>(table.rows.size(), block.quantity(key, dimension, range));
 }
 
 }  // namespace percal

@@ -18,4 +18,8 @@ int column_index(const TomlTable& block, const std::string& key, const CsvTable&
 std::vector<double> column_of(const TomlTable& block, const std::string& key, const CsvTable& table,
                               const Dimension& dimension, const Range& range = positive());
 
+// One number for all rows (`key`), or the column that `key`_column names.
+std::vector<double> values_of_rows(const TomlTable& block, const std::string& key, const CsvTable& table,
+                                   const Dimension& dimension, const Range& range);
+
 }  // namespace percal

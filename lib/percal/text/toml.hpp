@@ -57,6 +57,7 @@ class TomlTable {
   bool has(const std::string& key) const;         // marks nothing as known
   bool is_array(const std::string& key) const;    // likewise; false where the key is missing
   bool is_text(const std::string& key) const;     // likewise
+  bool is_table(const std::string& key) const;    // likewise
   TomlTable table(const std::string& key) const;  // must be there
   std::optional<TomlTable> optional_table(const std::string& key) const;
   std::vector<TomlTable> tables(const std::string& key) const;  // array of tables; empty where missing

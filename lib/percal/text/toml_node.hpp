@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "percal/text/key_record.hpp"
+#include "percal/text/key_words.hpp"
 #include "percal/text/toml.hpp"
 #include "percal/units/words.hpp"
 
@@ -18,6 +19,13 @@
 #define TOML_ASSERT(expression) static_assert(true)
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
+#include <toml++/impl/preprocessor.h>
+// Places that it takes for out of reach, and lets the compiler run into whatever comes next: here they end the reading.
+#undef TOML_UNREACHABLE
+#define TOML_UNREACHABLE ::percal::toml_came_out_of_reach()
+namespace percal {
+[[noreturn]] inline void toml_came_out_of_reach() { throw std::logic_error("toml++ does not know how to go on"); }
+}  // namespace percal
 #include <toml++/toml.h>
 #pragma pop_macro("NDEBUG")
 
@@ -96,8 +104,8 @@ struct TomlTable::Node {
       if (std::find(asked.begin(), asked.end(), name.str()) == asked.end()) unasked.emplace_back(name.str());
     }
     std::string found = "no such key";
-    if (const auto near = nearest_word(key, unasked)) {
-      found += fmt::format(" (line {} has {})", place(*near).line, in_quotes(*near));
+    if (const auto near = meant_by(key, unasked)) {
+      found += fmt::format(" (line {} has {}: did you mean {}?)", place(*near).line, in_quotes(*near), key);
     }
     throw BadInput(place(key), found, accepted);
   }
@@ -166,7 +174,7 @@ struct TomlTable::Node {
     for (const auto& [name, value] : *table) {
       const std::string key(name.str());
       if (std::find(asked.begin(), asked.end(), key) != asked.end()) continue;
-      const auto near = nearest_word(key, asked);
+      const auto near = key_meant(key, asked);
       const std::string found = near ? "an unknown key (did you mean " + *near + "?)" : "an unknown key";
       Place where = place(key);
       const std::string shown = in_quotes(key);

@@ -60,6 +60,11 @@ bool TomlTable::is_text(const std::string& key) const {
   return at && at->is_string();
 }
 
+bool TomlTable::is_table(const std::string& key) const {
+  const auto* at = node_->table->get(key);
+  return at && at->is_table();
+}
+
 std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const {
   node_->record(key, {"table", "", ""}, false);
   const auto* at = node_->ask(key);
@@ -150,6 +155,8 @@ TomlTable parse_toml(const std::string& text, const std::string& name) {
     const auto& begin = error.source().begin;
     throw BadInput(
         fmt::format("{}:{}: not valid TOML (column {}): {}", name, begin.line, begin.column, error.description()));
+  } catch (const std::logic_error& error) {  // toml_came_out_of_reach
+    throw BadInput(fmt::format("{}: not valid TOML: {}", name, error.what()));
   }
 }
 

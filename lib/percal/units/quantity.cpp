@@ -29,7 +29,8 @@ struct Unit {
 
 constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
 constexpr Dimension energy{.mass = 1, .length = 2, .time = -2};
-constexpr double pound_per_square_inch = 6894.757293168361;  // Pa: 0.45359237 kg * 9.80665 m/s2 / (0.0254 m)^2
+constexpr double pound = 0.45359237;                         // kg
+constexpr double pound_per_square_inch = 6894.757293168361;  // Pa: a pound * 9.80665 m/s2 / (0.0254 m)^2
 
 // clang-format off
 constexpr std::array units{
@@ -40,7 +41,12 @@ constexpr std::array units{
     Unit{"dm", {dimension::length, 1, -1}},   Unit{"cm", {dimension::length, 1, -2}},
     Unit{"mm", {dimension::length, 1, -3}},   Unit{"um", {dimension::length, 1, -6}},
     Unit{"nm", {dimension::length, 1, -9}},   Unit{"km", {dimension::length, 1, 3}},
-    Unit{"in", {dimension::length, 254, -4}}, Unit{"ft", {dimension::length, 3048, -4}},
+    Unit{"in", {dimension::length, 254, -4}}, Unit{"inch", {dimension::length, 254, -4}},
+    Unit{"mil", {dimension::length, 254, -7}}, Unit{"ft", {dimension::length, 3048, -4}},
+    Unit{"yd", {dimension::length, 9144, -4}}, Unit{"fps", {dimension::speed, 3048, -4}},
+    Unit{"mph", {dimension::speed, 44704, -5}}, Unit{"lb", {dimension::mass, pound, 0}},
+    Unit{"oz", {dimension::mass, pound / 16, 0}}, Unit{"gr", {dimension::mass, 6479891, -11}},
+    Unit{"grain", {dimension::mass, 6479891, -11}},
     Unit{"s", {dimension::time, 1, 0}},       Unit{"ms", {dimension::time, 1, -3}},
     Unit{"us", {dimension::time, 1, -6}},     Unit{"ns", {dimension::time, 1, -9}},
     Unit{"min", {dimension::time, 60, 0}},    Unit{"h", {dimension::time, 3600, 0}},
@@ -48,6 +54,7 @@ constexpr std::array units{
     Unit{"kPa", {dimension::pressure, 1, 3}}, Unit{"MPa", {dimension::pressure, 1, 6}},
     Unit{"GPa", {dimension::pressure, 1, 9}}, Unit{"bar", {dimension::pressure, 1, 5}},
     Unit{"psi", {dimension::pressure, pound_per_square_inch, 0}},
+    Unit{"ksi", {dimension::pressure, pound_per_square_inch, 3}},
     Unit{"N", {force, 1, 0}},                 Unit{"kN", {force, 1, 3}},
     Unit{"mN", {force, 1, -3}},               Unit{"uN", {force, 1, -6}},
     Unit{"J", {energy, 1, 0}},                Unit{"kJ", {energy, 1, 3}},

@@ -4,23 +4,10 @@
 
 #include <algorithm>
 
+#include "percal/base/printable.hpp"
+
 namespace percal {
 namespace {
-
-// Bytes of the UTF-8 character that starts at `at`; 0 where there is none.
-std::size_t character_length(std::string_view text, std::size_t at) {
-  const auto lead = static_cast<unsigned char>(text[at]);
-  const std::size_t length = lead < 0x80                   ? 1
-                             : lead >= 0xc2 && lead < 0xe0 ? 2
-                             : lead >= 0xe0 && lead < 0xf0 ? 3
-                             : lead >= 0xf0 && lead < 0xf5 ? 4
-                                                           : 0;
-  if (at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((static_cast<unsigned char>(text[at + i]) & 0xc0) != 0x80) return 0;
-  }
-  return length;
-}
 
 std::string plain(std::string_view word) {
   std::string result;
@@ -67,18 +54,8 @@ std::string trimmed(const std::string& text) {
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string result = "\"";
-  for (std::size_t at = 0; at < text.size();) {
+  for (std::size_t at = 0; at < text.size(); at += add_printable(text, at, result))
     if (result.size() > longest) return result + "...\"";
-    const std::size_t length = character_length(text, at);
-    const auto first = static_cast<unsigned char>(text[at]);
-    if (length == 0 || first < 0x20 || first == 0x7f) {
-      result += fmt::format("\\x{:02x}", first);
-      ++at;
-    } else {
-      result += text.substr(at, length);
-      at += length;
-    }
-  }
   return result + '"';
 }
 

@@ -45,6 +45,8 @@ class Fit:
     converged: bool
     def __init__(self, result: dict[str, Any], points: dict[str, Any]) -> None: ...
     @property
+    def region(self) -> dict[str, list[tuple[float, float]]]: ...
+    @property
     def intervals(self) -> dict[str, Interval | None]: ...
     @property
     def covariance(self) -> _Array: ...
@@ -71,7 +73,7 @@ def fit(
 ) -> Fit: ...
 def fit_csv(
     path: _Path | Sequence[_Path],
-    mode: str = "",
+    mode: str | Mapping[_Path, str] = "",
     model: str = "ogden",
     *,
     x: str = "",

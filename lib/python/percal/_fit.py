@@ -70,8 +70,15 @@ class Fit:
         return next((one for one in about if one["minimum"] == 0), None)
 
     @property
+    def region(self):
+        """All that the points allow, {"mu": [(low, high), ...] (Pa), "alpha": ...}: a piece about each minimum that fits about as well."""
+        pieces = (self.result["uncertainty"] or {"region": {}})["region"]
+        return {key.removesuffix("_Pa"): [tuple(piece) for piece in some] for key, some in pieces.items()}
+
+    @property
     def intervals(self):
-        """{"mu": Interval (Pa), "alpha": Interval}, with several terms "mu_1", ...; empty where the points leave none."""
+        """{"mu": Interval (Pa), "alpha": Interval}, with several terms "mu_1", ...: the piece of the region about the best minimum; empty
+        where the points leave none."""
         about = self._uncertainty()
         if about is None:
             return {}
@@ -117,12 +124,18 @@ class Fit:
         parts = [f"mu = {with_unit(self.mu, 'Pa')}"]
         about = self._uncertainty()
         of_mu = intervals.get("mu") or interval_of(about["small_strain_mu_Pa"] if about else None)
+        region = self.region
+
+        def allowed(key, interval, unit=""):
+            pieces = region.get(key, [])
+            return " or ".join(between(Interval(*piece), unit) for piece in pieces) if len(pieces) > 1 else between(interval, unit)
+
         if of_mu:
-            parts[0] += " " + between(of_mu, "Pa")
+            parts[0] += " " + allowed("mu" if "mu" in intervals else "small_strain_mu", of_mu, "Pa")
         if self.alpha is not None:
             parts.append(f"alpha = {self.alpha:.4g}")
             if intervals.get("alpha"):
-                parts[1] += " " + between(intervals["alpha"])
+                parts[1] += " " + allowed("alpha", intervals["alpha"])
         level = f" ({100 * self.level:g} %)" if intervals else ""
         r2 = "" if self.r2 is None else f", R2 = {self.r2:.4f}"
         return f"Fit({self.model}, {len(self.stretch)} points: {', '.join(parts)}{level}{r2})"
@@ -196,13 +209,14 @@ def fit_csv(
 ):
     """As fit(), from one CSV file or a list of them, with units in the headers (stress_kPa).
 
-    mode: for files without a mode column; x, y, error: columns, found by their names where left out;
-    where: "COLUMN=VALUE" or a list of such, the rows to keep.
+    mode: for files without a mode column, or one of words that nobody knows; {file: mode} where they differ; x, y, error: columns, found by their names where left out;
+    where: "COLUMN=VALUE", "COLUMN<NUMBER" (also !=, <=, >, >=) or a list of such, the rows to keep.
     """
     files = [path] if isinstance(path, (str, os.PathLike)) else list(path)
     conditions = [where] if isinstance(where, str) else list(where)
     options = _options(model, residual, weights, loss, unconstrained, tuple(stretches), level, bootstrap)
-    result, points = _core.fit_csv([os.fspath(file) for file in files], mode, x, y, error, conditions, options)
+    of_all, of_file = (mode, {}) if isinstance(mode, str) else ("", {os.fspath(file): word for file, word in mode.items()})
+    result, points = _core.fit_csv([os.fspath(file) for file in files], of_all, of_file, x, y, error, conditions, options)
     return Fit(json.loads(result), points)
 
 

@@ -6,6 +6,7 @@
 
 #include "percal/calibrate/job/read_job.hpp"
 #include "percal/fit/read_curves.hpp"
+#include "percal/scene/sphere_toml.hpp"
 #include "percal/text/job_table.hpp"
 #include "percal/units/words.hpp"
 
@@ -31,7 +32,7 @@ int group_index(const TomlTable& block, const std::string& fallback, Calibration
   return static_cast<int>(job.groups.size()) - 1;
 }
 
-const Range length = positive("length"), density = positive("density"), speed = positive("speed");
+const Range length = positive("length"), speed = positive("speed");
 const std::vector<std::string> use_words{"fit", "predict"};
 
 // The conditions of a key, row by row; all rows where the block has none.
@@ -43,30 +44,6 @@ std::vector<bool> rows_meeting(const TomlTable& block, const std::string& key, c
     meets[i] = std::any_of(kept.rows.begin(), kept.rows.end(),
                            [&](const CsvRow& row) { return row.line == table.rows[i].line; });
   return meets;
-}
-
-// One number for all rows (`key`), or one for each (`key`_column).
-std::vector<double> for_each_row(const TomlTable& block, const std::string& key, const CsvTable& table,
-                                 const Dimension& dimension, const Range& range) {
-  const std::string column = key + "_column";
-  if (block.has(key) && block.has(column)) block.refuse(column, "this beside " + key, "one of the two");
-  if (block.has(column)) return column_of(block, column, table, dimension, range);
-  if (!block.has(key)) {
-    block.knows(column);
-    block.refuse(key, "no such key", fmt::format("{}, or {} = \"COLUMN\"", words_of(range, dimension), column));
-  }
-  return std::vector<double>(table.rows.size(), block.quantity(key, dimension, range));
-}
-
-// Radii, by whichever of radius and diameter the block has.
-std::vector<double> radii(const TomlTable& block, const CsvTable& table) {
-  const bool by_diameter = block.has("diameter") || block.has("diameter_column");
-  if (!by_diameter) return for_each_row(block, "radius", table, dimension::length, length);
-  for (const char* key : {"radius", "radius_column"})
-    if (block.has(key)) block.refuse(key, "this beside a diameter", "one of the two");
-  auto sizes = for_each_row(block, "diameter", table, dimension::length, length);
-  for (double& size : sizes) size /= 2;
-  return sizes;
 }
 
 // The standard deviation of a depth: a length, or a share of it.
@@ -117,26 +94,26 @@ std::string label_of(const std::string& particle, const MeasuredShot& shot) {
 
 std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
   const CsvTable table = table_of(block);
-  const auto sizes = radii(block, table);
-  const auto densities = for_each_row(block, "particle_density", table, dimension::density, density);
-  const auto speeds = for_each_row(block, "speed", table, dimension::speed, speed);
+  const auto spheres = spheres_of_rows(block, table);
+  const auto speeds = values_of_rows(block, "speed", table, dimension::speed, speed);
   const auto depths = column_of(block, "depth_column", table, dimension::length, length);
   if (block.has("particle") && block.has("particle_column"))
     block.refuse("particle_column", "this beside particle", "one of the two");
   std::vector<std::string> particles(table.rows.size(), block.text("particle", "sphere"));
   if (block.has("particle_column"))
     for (std::size_t i = 0; i < particles.size(); ++i)
-      particles[i] = table.rows[i].cells[column_index(block, "particle_column", table)];
+      particles[i] = table.cell(table.rows[i], column_index(block, "particle_column", table));
   std::vector<MeasuredShot> shots(table.rows.size());
   for (std::size_t i = 0; i < shots.size(); ++i) {
     MeasuredShot& shot = shots[i];
-    shot.radius = sizes[i];
-    shot.density = densities[i];
+    shot.radius = spheres[i].radius;
+    shot.density = spheres[i].density;
     shot.speed = speeds[i];
     shot.depth = depths[i];
     shot.file = table.file;
     shot.label = label_of(particles[i], shot);
-    for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = table.rows[i].cells[c];
+    const auto cells = table.cells(table.rows[i]);
+    for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = cells[c];
   }
   read_depth_errors(block, table, shots);
   read_use(block, table, shots);
@@ -146,10 +123,9 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
 
 MeasuredShot shot_of_point(const TomlTable& point) {
   MeasuredShot shot;
-  if (point.has("diameter") && point.has("radius")) point.refuse("radius", "this beside diameter", "one of the two");
-  shot.radius = point.has("diameter") ? point.quantity("diameter", dimension::length, length) / 2
-                                      : point.quantity("radius", dimension::length, length);
-  shot.density = point.quantity("particle_density", dimension::density, density);
+  const Sphere sphere = sphere_from(point, "particle_");
+  shot.radius = sphere.radius;
+  shot.density = sphere.density;
   shot.speed = point.quantity("speed", dimension::speed, speed);
   shot.depth = point.quantity("depth", dimension::length, length);
   shot.depth_error = depth_error_from(point, shot.depth);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "percal/invert/emulator.hpp"
+#include "percal/scene/document_kind.hpp"
 #include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
@@ -248,6 +249,7 @@ CalibrationJob read_calibration_job(const std::string& path) {
   job.file = path;
   job.text = read_file(path);
   const TomlTable root = parse_toml(job.text, path);
+  need_kind(root, DocumentKind::calibrate);
   job.title = root.text("title", path);
   job.level = root.number("level", confidence, job.level);
   job.bootstrap = root.integer("bootstrap", 0, 100000, job.bootstrap);

@@ -45,7 +45,7 @@ std::vector<Found> moduli_of(const Json& hypothesis, Moduli wanted) {
 void add_other_numbers(const Json& result, const Json& hypothesis, std::vector<Found>& all) {
   for (const Json& one : list(hypothesis, "parameters"))
     if (!is_modulus(result, text(one, "name")))
-      all.push_back({text(one, "name"), value_words(one, "value"), interval_words(one, "interval")});
+      all.push_back({text(one, "name"), value_words(one, "value"), allowed_words(one)});
   for (const Json& one : list(at(hypothesis, "verdict"), "rate_factors"))
     all.push_back({"implied rate factor of " + text(one, "material"), shown(number(one, "implied"), 2),
                    interval_words(one, "implied_interval")});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "percal/calibrate/page/sections.hpp"
+#include "percal/fit/page/fit_json.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/units/words.hpp"
 
@@ -116,12 +117,14 @@ Json parameters_to_json(const std::vector<FreeParameter>& parameters, const Mini
     entry.update({{"at_bound", static_cast<bool>(best.at_bound[k])},
                   {"standard_error_searched", finite(std::sqrt(best.covariance(i, i)))},
                   {key_of("interval", parameter), nullptr},
+                  {key_of("region", parameter), nullptr},
                   {"identifiable", nullptr},
                   {"profile", nullptr},
                   {key_of("bootstrap_interval", parameter), nullptr}});
     for (const ProfileInterval& interval : intervals) {
       if (interval.parameter != static_cast<int>(k)) continue;
       entry[key_of("interval", parameter)] = interval_to_json(interval.interval);
+      entry[key_of("region", parameter)] = region_to_json(interval.region);
       entry["identifiable"] = interval.identifiable;
       entry["profile"] = profile_to_json(parameter, interval);
     }
@@ -154,6 +157,11 @@ Json fit_to_json(const CalibrationJob& job, const HypothesisResult& result) {
 
 // --- the page -------------------------------------------------------------------------------------------------------
 
+std::string allowed_words(const Json& parameter) {
+  return with_unit(parameter, "region").size() > 1 ? region_words(parameter, "region")
+                                                   : interval_words(parameter, "interval");
+}
+
 Table searched_table(const Json& result) {
   Table table{.caption = "Parameters",
               .rows = {{"parameter", "kind", "searched from", "to", "expected beforehand"}},
@@ -178,7 +186,7 @@ Table parameter_table(const Json& result, const Json& hypothesis) {
               .rows = {{"parameter", "value", level_words(result) + " interval", "bootstrap", "remark"}},
               .notes = {"Intervals by the profile likelihood."}};
   for (const Json& one : list(hypothesis, "parameters"))
-    table.rows.push_back({text(one, "name"), value_words(one, "value"), interval_words(one, "interval"),
+    table.rows.push_back({text(one, "name"), value_words(one, "value"), allowed_words(one),
                           interval_words(one, "bootstrap_interval"), verdict_on(one)});
   for (const Json& one : list(hypothesis, "held"))
     table.rows.push_back({text(one, "name"), value_words(one, "value"), "held", "-", ""});

@@ -22,6 +22,7 @@ Json minimum_to_json(const CalibrationJob& job, const std::vector<FreeParameter>
 Json parameters_to_json(const std::vector<FreeParameter>& parameters, const Minimum& best,
                         const std::vector<ProfileInterval>& intervals, const std::optional<Bootstrap>& bootstrap);
 Json fit_to_json(const CalibrationJob& job, const HypothesisResult& result);  // several keys of a hypothesis
+std::string allowed_words(const Json& parameter);  // its interval, or the pieces of its region where there are several
 Table searched_table(const Json& result);
 void add_fit(Section& section, const Json& result, const Json& hypothesis, int number);
 

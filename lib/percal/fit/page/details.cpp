@@ -24,7 +24,7 @@ Table parameter_table(const Json& result) {
       table.rows[0].push_back(kind);
   const auto row = [&](const std::string& name, const std::string& key, double value, const Dimension& d) {
     const Json& parameter = maybe(parameters, key);
-    std::vector<std::string> cells{name, quantity(value, d), interval_words(parameter, d, 4)};
+    std::vector<std::string> cells{name, quantity(value, d), region_of(result, key, d, 4)};
     if (parameter.is_object() && !yes(parameter, "identifiable")) cells[2] += ", not identifiable";
     for (const char* kind : {"points", "residuals", "parametric"})
       if (bootstrap) cells.push_back(interval_words(at(at(parameter, "bootstrap"), kind), d, 4));
@@ -43,7 +43,7 @@ Table parameter_table(const Json& result) {
   }
   if (!single)
     table.rows.push_back({"small-strain modulus, the sum", pressure(number(best(result), "mu_Pa")),
-                          interval_words(at(about(result, 0), "small_strain_mu_Pa"), dimension::pressure, 4) +
+                          region_of(result, "small_strain_mu_Pa", dimension::pressure, 4) +
                               (has_intervals(result) ? " (linearised)" : "")});
   for (const char* constant : {"C10_Pa", "C01_Pa"})
     if (const auto value = number(best(result), constant))
@@ -70,6 +70,16 @@ const Json& about(const Json& result, std::size_t minimum) {
   for (const Json& one : list(at(result, "uncertainty"), "minima"))
     if (number_or(one, "minimum", -1) == static_cast<double>(minimum)) return one;
   return nothing;
+}
+
+std::string region_of(const Json& result, const std::string& key, const Dimension& dimension, int digits) {
+  const Json& pieces = maybe(at(at(result, "uncertainty"), "region"), key);
+  const Json& own = maybe(at(about(result, 0), "parameters"), key);
+  const Json& interval = own.is_null() ? maybe(about(result, 0), key) : own;
+  const bool all_of_it = pieces.size() == 1 && number(interval, "low") == number(pieces[0][0]) &&
+                         number(interval, "high") == number(pieces[0][1]);
+  return pieces.empty() || all_of_it ? interval_words(interval, dimension, digits)
+                                     : region_words(pieces, dimension, digits);
 }
 
 bool has_intervals(const Json& result) { return !about(result, 0).is_null(); }

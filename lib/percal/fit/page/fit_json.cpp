@@ -10,6 +10,7 @@
 #include "percal/fit/cards.hpp"
 #include "percal/fit/curve_measures.hpp"
 #include "percal/fit/findings.hpp"
+#include "percal/fit/rulers.hpp"
 #include "percal/material/plausible.hpp"
 #include "percal/text/sha256.hpp"
 
@@ -37,6 +38,7 @@ Json input_of(const FitRequest& request) {
   const auto& intervals = request.intervals;
   return {{"files", request.files},
           {"mode", columns.mode},
+          {"mode_of", columns.mode_of},
           {"model", word(options.model)},
           {"residual", word(options.residual)},
           {"weights", words_of(options.weighting)},
@@ -183,7 +185,7 @@ Json stability_of(const CurveFit& fit, const StretchRange& searched) {
 double lowest_aicc(const std::vector<ComparedModel>& models) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const auto& model : models)
-    if (model.fit && model.fit->aicc) lowest = std::min(lowest, *model.fit->aicc);
+    if (model.fit && model.fit->aicc && model.not_ranked.empty()) lowest = std::min(lowest, *model.fit->aicc);
   return lowest;
 }
 
@@ -198,12 +200,14 @@ Json left_out_of(const ComparedModel& model) {
 
 Json to_json(const ComparedModel& model, double lowest, const StretchRange& stretches) {
   const CurveFit fit = model.fit.value_or(CurveFit{});
+  const bool ranked = fit.aicc && model.not_ranked.empty();
   return {{"model", word(model.model)},
           {"parameters", parameters_of(model.model)},
           {"not_fitted", model.fit ? Json(nullptr) : Json(model.why_not)},
           {"minima", minima_of(fit)},
           {"aicc", finite(fit.aicc)},
-          {"aicc_above_lowest", fit.aicc ? finite(*fit.aicc - lowest) : Json(nullptr)},
+          {"aicc_above_lowest", ranked ? finite(*fit.aicc - lowest) : Json(nullptr)},
+          {"not_ranked", model.not_ranked.empty() ? Json(nullptr) : Json(model.not_ranked)},
           {"stability", stability_of(fit, stretches)},
           {"findings", model.fit ? findings(fit) : std::vector<std::string>{}},
           {"left_out", left_out_of(model)},
@@ -257,7 +261,9 @@ Json to_json(const MinimumUncertainty& about) {
 }
 
 Json to_json(const Uncertainty& uncertainty) {
-  Json minima = Json::array();
+  Json minima = Json::array(), region = Json::object();
+  for (const auto& [name, unit, pieces] : uncertainty.region)
+    region[unit.empty() ? name : name + "_" + unit] = region_to_json(pieces);
   for (const auto& about : uncertainty.minima) minima.push_back(to_json(about));
   return {{"level", uncertainty.options.level},
           {"errors", word(uncertainty.errors)},
@@ -265,7 +271,8 @@ Json to_json(const Uncertainty& uncertainty) {
           {"degrees_of_freedom", uncertainty.degrees_of_freedom},
           {"neighbour_correlation", finite(uncertainty.neighbour_correlation)},
           {"bootstrap_replicates", uncertainty.options.bootstrap},
-          {"minima", minima}};
+          {"minima", minima},
+          {"region", region}};
 }
 
 Json to_json(const RateCurve& curve) {
@@ -285,6 +292,12 @@ void add_warnings(Json& result, const std::vector<std::string>& sentences) {
 }
 
 }  // namespace
+
+Json region_to_json(const Region& region) {
+  Json pieces = Json::array();
+  for (const Interval& piece : region) pieces.push_back({finite(piece.low), finite(piece.high)});
+  return pieces;
+}
 
 Json read_to_json(const FitRequest& request, const std::vector<CurveSource>& sources) {
   Json result = page::result_head("fit", input_of(request));
@@ -337,6 +350,7 @@ Json fit_to_json(const FitRequest& request, const FinishedFit& found, const page
        {"findings", sentences},
        {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},
        {"cost", page::cost_to_json(cost)}});
+  add_warnings(result, rulers(data, fit));
   if (!fit.minima.empty()) add_warnings(result, implausible_modulus(small_strain_modulus(fit.minima[0].solid)));
   return result;
 }

@@ -35,6 +35,9 @@ struct RatePair {
   CurveData slow, fast;
 };
 
+// [[low, high], ...], as results have the pieces of a region.
+page::Json region_to_json(const Region& region);
+
 // Schema, version, command, input and sources: before anything is fitted.
 page::Json read_to_json(const FitRequest& request, const std::vector<CurveSource>& sources);
 

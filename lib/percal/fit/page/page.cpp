@@ -37,12 +37,14 @@ std::string summary_of(const Json& result) {
   const Json& minimum = best(result);
   if (minimum.is_null()) return "No solid with the signs asked for fits better than none: there is no result.";
   std::string summary = "Small-strain shear modulus " + pressure(number(minimum, "mu_Pa"));
-  if (const Json& mu = interval_of_mu(about(result, 0)); mu.is_object())
-    summary += " (" + level_of(result) + " " + interval_words(mu, dimension::pressure) + ")";
+  const bool intervals = has_intervals(result), single = number(minimum, "alpha") || list(minimum, "terms").size() == 1;
+  if (intervals)
+    summary += " (" + level_of(result) + " " +
+               region_of(result, single ? "mu_Pa" : "small_strain_mu_Pa", dimension::pressure) + ")";
   if (const auto alpha = number(minimum, "alpha")) {
     summary += ", alpha " + shown(alpha);
     const Json& parameter = maybe(at(about(result, 0), "parameters"), "alpha");
-    if (parameter.is_object()) summary += " (" + interval_words(parameter, dimension::none) + ")";
+    if (parameter.is_object()) summary += " (" + region_of(result, "alpha", dimension::none) + ")";
   }
   return summary + fmt::format("; R2 {}{}.", shown(number(minimum, "r2")),
                                yes(minimum, "converged") ? "" : ", but the fit did not converge");
@@ -129,11 +131,23 @@ Table minima_table(const Json& result) {
   return table;
 }
 
+// Which of the numbers that go by the name of mu is printed; the formula is among the details.
+std::string which_mu(const Json& result) {
+  const Json& terms = list(best(result), "terms");
+  const auto mu = number(terms.at(0), "mu_Pa"), alpha = number(terms.at(0), "alpha");
+  if (terms.size() == 1 && mu && alpha && *alpha != 0)
+    return "mu is the small-strain shear modulus of W; LS-DYNA's MU1 would be " + pressure(2 * *mu / *alpha) + ".";
+  return "mu is the small-strain shear modulus of W, of each term its own; LS-DYNA's MU1 is another number "
+         "(--details).";
+}
+
 Section result_section(const Json& result) {
   Section section{.id = "result", .title = "What came out", .blocks = {}, .detail = Detail::answer};
   add_sentence(section, asked_words(result));
   if (best(result).is_null()) return section;
-  add(section, minima_table(result));
+  Table minima = minima_table(result);
+  minima.notes.push_back(which_mu(result));
+  add(section, minima);
   std::string tests;
   for (const Json& test : list(result, "tests"))
     tests += (tests.empty() ? "R2 of the best by test: " : ", ") + text(test, "name") + " " +
@@ -161,6 +175,8 @@ Section models_section(const Json& result) {
     const Json& stability = at(model, "stability");
     const std::string missing = missing_words(model), name = text(model, "model");
     if (!missing.empty()) table.notes.push_back(name + ": " + missing + ".");
+    if (const std::string why = text(model, "not_ranked"); !why.empty())
+      table.notes.push_back(name + " is not ranked: " + why + ".");
     table.rows.push_back({name, shown(number(model, "parameters"), 9), pressure(number(best(model), "mu_Pa")),
                           shown(number(best(model), "r2")), shown(number(model, "aicc_above_lowest"), 3),
                           percent(number(model, "left_out_mean_relative_deviation")),

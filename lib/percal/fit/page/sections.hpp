@@ -63,9 +63,11 @@ const Json& best(const Json& result);                        // minimum; null wh
 const Json& about(const Json& result, std::size_t minimum);  // its intervals; null where it has none
 bool has_intervals(const Json& result);
 std::string level_of(const Json& result);  // "95 % interval"
+// Of a parameter at the best minimum, over all pieces that the points allow.
+std::string region_of(const Json& result, const std::string& key, const Dimension& dimension, int digits = 3);
 
 Section warnings_section(const Json& result);  // what must be read before the answer; none for a plausible curve
-Table sources_table(const Json& result);  // files, columns, SHA-256
+Table sources_table(const Json& result);       // files, columns, SHA-256
 Section parameters_section(const Json& result);
 Section minima_section(const Json& result);
 Section stability_section(const Json& result);

@@ -3,11 +3,13 @@
 #include <pthread.h>
 #include <time.h>
 
+#include <utility>
+
+#include "percal/base/threads.hpp"
+
 namespace percal {
 
-Team::Team(int workers) {
-  for (int worker = 1; worker < workers; ++worker) threads_.emplace_back([this, worker] { serve(worker); });
-}
+Team::Team(int workers) : threads_(threads_to_be_had(workers - 1, [this](int worker) { serve(worker); })) {}
 
 Team::~Team() {
   over_ = true;
@@ -35,8 +37,18 @@ void Team::each(const std::function<void(int)>& work) {
     ++call_;
     call_.notify_all();
   }
-  work(0);
+  take_part(0);
   for (int left = busy_; left > 0; left = busy_) busy_.wait(left);
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+void Team::take_part(int worker) {
+  try {
+    (*work_)(worker);
+  } catch (...) {
+    const std::lock_guard lock(failure_mutex_);
+    if (!failure_) failure_ = std::current_exception();
+  }
 }
 
 void Team::serve(int worker) {
@@ -44,7 +56,7 @@ void Team::serve(int worker) {
     call_.wait(seen);
     ++seen;
     if (over_) return;
-    (*work_)(worker);
+    take_part(worker);
     if (--busy_ == 0) busy_.notify_one();
   }
 }
