@@ -4,8 +4,9 @@ if(NOT PERCAL_INSTALL)
   return()
 endif()
 install(FILES README.md CHANGELOG.md cmake/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/tutorial docs/formats docs/theory docs/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/notation.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# As in the sources, so that links between pages hold.
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.cpp" PATTERN "tutorial.py")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME percal)

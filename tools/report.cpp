@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "colour.hpp"
@@ -25,9 +26,17 @@ std::string page_file(const ReportArguments& arguments, const std::string& resul
 void open_page(const std::string& file) {
   std::string program = "xdg-open", page = std::filesystem::absolute(file).string();
   char* words[] = {program.data(), page.data(), nullptr};
+  posix_spawnattr_t attributes;  // signals reach it, though this program may block them
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
   int status = 0;
-  if (posix_spawnp(&child, words[0], nullptr, nullptr, words, environ) != 0)
+  const int started = posix_spawnp(&child, words[0], nullptr, &attributes, words, environ);
+  posix_spawnattr_destroy(&attributes);
+  if (started != 0)
     throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
   if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw IoFailure("--open: xdg-open failed: open " + file + " in a browser");

@@ -52,6 +52,23 @@ Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observe
   return evaluation;
 }
 
+// Ends a run from within where the campaign is asked to stop; looks on for another observer, which may be null.
+class StopWatch : public FrameObserver {
+ public:
+  StopWatch(const std::function<bool()>& wanted, FrameObserver* other) : wanted_(wanted), other_(other) {}
+  bool is_due(const Moment& now) override {
+    if (wanted_()) throw Interrupted();
+    return other_ && other_->is_due(now);
+  }
+  void see(const Frame& frame) override {
+    if (other_) other_->see(frame);
+  }
+
+ private:
+  const std::function<bool()>& wanted_;
+  FrameObserver* const other_;
+};
+
 }  // namespace
 
 // A store of another program's making: to be told, not to be run over.
@@ -114,7 +131,8 @@ std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads
     const std::chrono::duration<double> left = *deadline - std::chrono::steady_clock::now();
     if (left.count() < books_->expected_seconds(problem)) return std::nullopt;
   }
-  Evaluation evaluation = run(problem, threads, observer);
+  StopWatch watch(stop_wanted_, observer);
+  Evaluation evaluation = run(problem, threads, stop_wanted_ ? &watch : observer);
   if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
   books_->add(problem, evaluation);
   return evaluation;

@@ -198,7 +198,7 @@ std::string read_output(const std::string& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) {
     if (errno == ENOENT || errno == ENOTDIR || errno == ELOOP || errno == ENAMETOOLONG)
-      throw BadInput(path + ": there is no such file");
+      throw NoSuchFile(path);
     fail(path, "cannot read", errno);
   }
   struct stat status;
