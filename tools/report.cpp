@@ -36,8 +36,7 @@ void open_page(const std::string& file) {
   int status = 0;
   const int started = posix_spawnp(&child, words[0], nullptr, &attributes, words, environ);
   posix_spawnattr_destroy(&attributes);
-  if (started != 0)
-    throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
+  if (started != 0) throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
   if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw IoFailure("--open: xdg-open failed: open " + file + " in a browser");
 }

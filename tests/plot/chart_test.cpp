@@ -181,8 +181,8 @@ Triple times(const std::array<Triple, 3>& matrix, const Triple& v) {
 }
 
 Triple as_seen(const std::string& colour, const std::array<Triple, 3>& vision) {
-  Triple seen = times(vision, {luminance_of_channel(colour, 1), luminance_of_channel(colour, 3),
-                               luminance_of_channel(colour, 5)});
+  Triple seen = times(
+      vision, {luminance_of_channel(colour, 1), luminance_of_channel(colour, 3), luminance_of_channel(colour, 5)});
   for (double& channel : seen) channel = std::clamp(channel, 0.0, 1.0);
   Triple xyz = times(to_xyz, seen);  // over white's
   for (double& one : xyz) one = one > 0.008856 ? std::cbrt(one) : 7.787 * one + 16.0 / 116;

@@ -115,7 +115,8 @@ TEST_F(Terminal, HelpIsFoldedAtWordsButForExamples) {
     const std::string help = on_terminal(command, {}, 80);
     EXPECT_LE(widest(help.substr(0, help.find("\nExample"))), 80U);
   }
-  EXPECT_THAT(on_terminal({"--help"}, {}, 80), HasSubstr("exponents,\r\n                              every minimum, models compared"));
+  EXPECT_THAT(on_terminal({"--help"}, {}, 80),
+              HasSubstr("exponents,\r\n                              every minimum, models compared"));
   EXPECT_THAT(on_terminal({"help", "fit"}, {}, 60), HasSubstr("--where mode=UT --residual absolute"));
 }
 

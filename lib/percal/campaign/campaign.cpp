@@ -43,10 +43,10 @@ Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observe
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
   const int threads = std::clamp(static_cast<int>(size_of(problem).elements / worth_a_thread), 1, spare_threads);
-  Evaluation evaluation{.result = in_memory(problem, [&] {
-                          return observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads);
-                        }),
-                        .instruction_level = instruction_level()};
+  Evaluation evaluation{
+      .result = in_memory(
+          problem, [&] { return observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads); }),
+      .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return evaluation;
@@ -109,9 +109,7 @@ struct Campaign::Books {
 };
 
 Campaign::Campaign(Store* store, int threads)
-    : store_(store),
-      threads_(threads > 0 ? threads : threads_of_this_machine()),
-      books_(std::make_shared<Books>()) {}
+    : store_(store), threads_(threads > 0 ? threads : threads_of_this_machine()), books_(std::make_shared<Books>()) {}
 
 Evaluation Campaign::evaluate(const Problem& problem) { return *evaluate(problem, 1, nullptr, {}); }
 

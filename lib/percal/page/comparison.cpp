@@ -165,10 +165,10 @@ Section numbers_section(const std::string& command, const std::vector<BothNumber
       "Errors are standard errors or spreads where the result has them, a quarter of the interval's width where it has "
       "one. Over both errors: the difference over the root of the sum of their squares.");
   add(section, std::move(main));
-  std::stable_sort(others.begin(), others.end(), [](const BothNumbers& a, const BothNumbers& b) {
-    return a.share() > b.share();
-  });
-  Table rest{.caption = "Other numbers that differ, the largest share first", .rows = {header}, .notes = {}, .folded = true};
+  std::stable_sort(others.begin(), others.end(),
+                   [](const BothNumbers& a, const BothNumbers& b) { return a.share() > b.share(); });
+  Table rest{
+      .caption = "Other numbers that differ, the largest share first", .rows = {header}, .notes = {}, .folded = true};
   for (std::size_t i = 0; i < std::min(others.size(), most_others); ++i) rest.rows.push_back(row_of(others[i]));
   rest.caption += fmt::format(" ({} of {})", std::min(others.size(), most_others), others.size());
   add(section, std::move(rest));

@@ -77,13 +77,14 @@ void add_speeds(Section& section, const Json& result, const Json& hypothesis, in
     int colour = 0;
     for (const auto& [name, ball] : shots.balls) add_ball(chart, name, ball, colour++, unit.size);
     const std::string balls = counted(static_cast<int>(shots.balls.size()), "ball");
-    add(section, Figure{.name = fmt::format("speed_{}_{}", number_of_hypothesis, ++number_of_material),
-                        .caption = fmt::format("Depth over speed in {}. Points: measured; lines: the model at the shots' "
-                                               "speeds; bands: where {} of single shots would lie.",
-                                               material, level_words(result)),
-                        .alt = fmt::format("Depths of {} in {} over speed, measured points about the model's lines.",
-                                           balls, material),
-                        .chart = chart});
+    add(section,
+        Figure{.name = fmt::format("speed_{}_{}", number_of_hypothesis, ++number_of_material),
+               .caption = fmt::format("Depth over speed in {}. Points: measured; lines: the model at the shots' "
+                                      "speeds; bands: where {} of single shots would lie.",
+                                      material, level_words(result)),
+               .alt = fmt::format("Depths of {} in {} over speed, measured points about the model's lines.", balls,
+                                  material),
+               .chart = chart});
   }
 }
 
