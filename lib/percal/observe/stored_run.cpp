@@ -25,28 +25,53 @@ Json energy_to_json(const EnergyLedger& energy) {
   return json;
 }
 
+namespace {
+
+// An object's text, member by member. No JSON object is made: its destructor asks for memory, and where there is none, as beside other
+// runs there may not be, that ends the program.
+class ObjectText {
+ public:
+  void add(const char* key, const std::string& value) {
+    text_ += (text_.size() > 1 ? ",\"" : "\"") + std::string(key) + "\":" + value;
+  }
+  void add(const char* key, const Json& scalar) { add(key, scalar.dump()); }
+  std::string closed() const { return text_ + "}"; }
+
+ private:
+  std::string text_ = "{";
+};
+
+std::string energy_text(const EnergyLedger& energy) {
+  ObjectText text;
+  for (const EnergyTerm& term : energy_terms) text.add(term.key, finite(energy.*term.share));
+  return text.closed();
+}
+
+}  // namespace
+
 std::string to_payload(const Evaluation& evaluation) {
   const ImpactResult& r = evaluation.result;
-  return Json{{"outcome", word(r.outcome)},
-              {"reason", r.reason},
-              {"depth", finite(r.depth)},
-              {"end_time", finite(r.end_time)},
-              {"end_speed", finite(r.end_speed)},
-              {"sideways", finite(r.sideways)},
-              {"turn", finite(r.turn)},
-              {"target_momentum", finite(r.target_momentum)},
-              {"elements", r.elements},
-              {"steps", r.steps},
-              {"element_steps", r.element_steps},
-              {"eroded", r.eroded},
-              {"distorted", r.distorted},
-              {"smallest_jacobian", finite(r.smallest_jacobian)},
-              {"smallest_step", finite(r.smallest_step)},
-              {"energy", energy_to_json(r.energy)},
-              {"level", evaluation.instruction_level},
-              {"wall_s", evaluation.wall_seconds},
-              {"cpu_s", evaluation.cpu_seconds}}
-      .dump();
+  ObjectText text;
+  text.add("outcome", Json(word(r.outcome)));
+  text.add("reason", Json(r.reason));
+  text.add("depth", finite(r.depth));
+  text.add("end_time", finite(r.end_time));
+  text.add("end_speed", finite(r.end_speed));
+  text.add("sideways", finite(r.sideways));
+  text.add("turn", finite(r.turn));
+  text.add("target_momentum", finite(r.target_momentum));
+  text.add("elements", Json(r.elements));
+  text.add("steps", Json(r.steps));
+  text.add("element_steps", Json(r.element_steps));
+  text.add("eroded", Json(r.eroded));
+  text.add("distorted", Json(r.distorted));
+  text.add("smallest_jacobian", finite(r.smallest_jacobian));
+  text.add("smallest_step", finite(r.smallest_step));
+  text.add("energy", energy_text(r.energy));
+  text.add("level", Json(evaluation.instruction_level));
+  text.add("wall_s", Json(evaluation.wall_seconds));
+  text.add("cpu_s", Json(evaluation.cpu_seconds));
+  return text.closed();
 }
 
 Evaluation from_payload(const std::string& payload) {
