@@ -147,6 +147,7 @@ Exit run_command_line(int argc, char** argv, void (*before_impacts)()) {
       "percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.",
       "percal");
   app.set_version_flag("--version", "percal " + version());
+  app.footer("Example: percal new scene -o bb.toml && percal impact bb.toml && percal report bb.out --open");
   app.require_subcommand(1);
   Arguments arguments;
   const std::vector<Command> commands = add_commands(app, arguments);

@@ -67,7 +67,9 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
       ->add_flag("--extrapolate", impact.extrapolate,
                  "the depth at h = 0 from this mesh and one twice as fine, where erosion is judged over a length")
       ->excludes("--accuracy");
-  command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
+  command->footer(
+      "Examples: percal impact bb.toml\n"
+      "          percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
   add_common(*command, common, true);
   commands.push_back({command, [&] { return run_impact(impact, common); }, true});
 }
