@@ -20,14 +20,20 @@ install(DIRECTORY data DESTINATION ${CMAKE_INSTALL_DATADIR}/percal
 # Manual pages and completion scripts, written by the program itself; a program for another machine cannot be run here.
 if(NOT CMAKE_CROSSCOMPILING)
   set(described ${PROJECT_BINARY_DIR}/described)
-  add_custom_command(OUTPUT ${described}/man1/percal.1 ${described}/percal ${described}/_percal
+  set(compressed true)  # where there is no gzip manual pages stay as they are
+  find_program(PERCAL_GZIP gzip)
+  if(PERCAL_GZIP)
+    set(compressed "${PERCAL_GZIP} -9n ${described}/man1/*.1")
+  endif()
+  add_custom_command(OUTPUT ${described}/percal ${described}/_percal
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${described}/man1
     COMMAND ${CMAKE_COMMAND} -E make_directory ${described}/man1
     COMMAND percal_program man --all ${described}/man1
+    COMMAND sh -c "${compressed}"
     COMMAND percal_program completion bash > ${described}/percal
     COMMAND percal_program completion zsh > ${described}/_percal
     DEPENDS percal_program COMMENT "Manual pages and completion" VERBATIM)
-  add_custom_target(percal_described ALL DEPENDS ${described}/man1/percal.1)
+  add_custom_target(percal_described ALL DEPENDS ${described}/percal)
   install(DIRECTORY ${described}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
   install(FILES ${described}/percal DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   install(FILES ${described}/_percal DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)

@@ -4,8 +4,18 @@ if(NOT PERCAL_INSTALL)
   return()
 endif()
 install(FILES README.md CHANGELOG.md cmake/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs/tutorial docs/formats docs/theory docs/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES docs/notation.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# As in the sources, so that links between pages hold.
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.cpp" PATTERN "tutorial.py")
+
+# Debian's form of a changelog, compressed.
+if(PERCAL_GZIP)
+  string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
+  file(WRITE ${PROJECT_BINARY_DIR}/described/changelog "percal (${PROJECT_VERSION}) unstable; urgency=low\n\n"
+       "  * What changed: CHANGELOG.md beside this file.\n\n -- The percal authors <percal@localhost>  ${now}\n")
+  execute_process(COMMAND ${PERCAL_GZIP} -9nf ${PROJECT_BINARY_DIR}/described/changelog)
+  install(FILES ${PROJECT_BINARY_DIR}/described/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME percal)

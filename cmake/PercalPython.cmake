@@ -1,5 +1,6 @@
 # The Python module `percal` (lib/python), built where Python 3.10 or later with its headers, and pybind11, are found. Another Python
-# than the one found: -DPython3_EXECUTABLE=/path/to/python3. Not at all: -DPERCAL_PYTHON=OFF.
+# than the one found: -DPython3_EXECUTABLE=/path/to/python3. Not at all: -DPERCAL_PYTHON=OFF. What is
+# missing today may be there at the next configuration, so AUTO is asked again each time.
 
 # The Python of an active virtual environment, else Debian's own, whose headers and numpy come in packages, else the first in PATH.
 function(percal_choose_python)
@@ -16,13 +17,16 @@ function(percal_choose_python)
   endforeach()
 endfunction()
 
+set(PERCAL_PYTHON AUTO CACHE STRING "Build the Python module: ON, OFF, AUTO (where what it takes is there)")
+set(percal_python ${PERCAL_PYTHON})
 # Without sanitizers: their runtime would have to be loaded before Python.
-set(percal_python_default ${PROJECT_IS_TOP_LEVEL})
-if(percal_python_default AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  set(percal_python_default OFF)
+if(PERCAL_PYTHON STREQUAL AUTO AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(percal_python OFF)
   message(STATUS "percal: no Python module by default in a build with sanitizers")
+elseif(PERCAL_PYTHON STREQUAL AUTO)
+  set(percal_python ${PROJECT_IS_TOP_LEVEL})
 endif()
-if(percal_python_default OR PERCAL_PYTHON)
+if(percal_python)
   if(NOT Python3_EXECUTABLE)
     percal_choose_python()
   endif()
@@ -37,16 +41,15 @@ if(percal_python_default OR PERCAL_PYTHON)
   endif()
   if(missing)
     list(JOIN missing ", " missing)
-    message(STATUS "percal: no Python module, missing: ${missing}")
-    set(percal_python_default OFF)
+    if(NOT PERCAL_PYTHON STREQUAL AUTO)
+      message(FATAL_ERROR "PERCAL_PYTHON is on, but there is no ${missing}")
+    endif()
+    message(STATUS "percal: no Python module, missing: ${missing}; sh tools/setup.sh python, then configure again")
+    set(percal_python OFF)
   endif()
 endif()
-option(PERCAL_PYTHON "Build the Python module" ${percal_python_default})
-if(NOT PERCAL_PYTHON)
+if(NOT percal_python)
   return()
-endif()
-if(missing)
-  message(FATAL_ERROR "PERCAL_PYTHON is on, but there is no ${missing}")
 endif()
 
 # Where `import percal` finds it in an installed tree, below the prefix: /usr/lib/python3/dist-packages on Debian.

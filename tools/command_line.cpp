@@ -1,10 +1,15 @@
 // The command line as it is read, refused and described.
 #include "command_line.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <stdexcept>
 
+#include "colour.hpp"
+#include "help.hpp"
 #include "options.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
@@ -95,34 +100,64 @@ void refuse_unknown_option(const CLI::App& app) {
   }
 }
 
+// What a command's commands are called.
+std::vector<std::string> names_below(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!command->get_name().empty()) names.push_back(command->get_name());
+  return names;
+}
+
+[[noreturn]] void refuse_command(const std::string& word, const std::vector<std::string>& commands) {
+  const auto near = nearest_word(word, commands);
+  throw BadInput(Place{.file = "", .line = 0, .key = "command"},
+                 in_quotes(word) + (near ? " (did you mean " + *near + "?)" : ""), listed(commands));
+}
+
 // Where a command is unknown CLI11 says only that one is missing.
 void refuse_unknown_command(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   if (!chosen.empty()) return refuse_unknown_command(*chosen.front());
   const auto words = app.remaining();
-  std::vector<std::string> commands;
-  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    commands.push_back(command->get_name());
+  const auto commands = names_below(app);
   if (commands.empty() || words.empty() || words.front().starts_with("-")) return;
-  const auto near = nearest_word(words.front(), commands);
-  throw BadInput(Place{.file = "", .line = 0, .key = "command"},
-                 in_quotes(words.front()) + (near ? " (did you mean " + *near + "?)" : ""), listed(commands));
+  refuse_command(words.front(), commands);
 }
 
 }  // namespace
+
+Exit print_help(const CLI::App& program, const std::vector<std::string>& words) {
+  const CLI::App* command = &program;
+  std::string before;
+  for (const std::string& word : words) {
+    const auto names = names_below(*command);
+    if (std::find(names.begin(), names.end(), word) == names.end()) refuse_command(word, names);
+    before += (before.empty() ? "" : " ") + command->get_name();
+    command = command->get_subcommand(word);
+  }
+  // An App's own help is that of the command which the command line chose, here this one.
+  const auto formatter = command->get_formatter();
+  const std::string name = before.empty() ? command->get_name() : before + " " + command->get_name();
+  fmt::print("{}", fitted_help(formatter->make_help(command, name, CLI::AppFormatMode::Normal), terminal_columns()));
+  return Exit::done;
+}
 
 Exit run_command_line(int argc, char** argv, void (*before_impacts)()) {
   CLI::App app(
       "percal identifies the material parameters of soft solids from stress-stretch curves and penetration depths.",
       "percal");
   app.set_version_flag("--version", "percal " + version());
+  app.footer("Example: percal new scene -o bb.toml && percal impact bb.toml && percal report bb.out --open");
   app.require_subcommand(1);
   Arguments arguments;
   const std::vector<Command> commands = add_commands(app, arguments);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", fitted_help(app.help(), terminal_columns()));
+    return Exit::done;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help, --version
+    if (error.get_exit_code() == 0) {  // --version
       app.exit(error);
       return Exit::done;
     }

@@ -103,6 +103,7 @@ struct ReportArguments {
   std::vector<std::string> results;  // one, or two to compare
   std::string file;                  // page; empty: report.html beside the first result
   std::string plots;                 // folder for the figures; empty: none
+  bool open = false;                 // show the page in the browser
 };
 
 struct StoreArguments {
@@ -112,6 +113,7 @@ struct StoreArguments {
 struct NewArguments {
   std::string kind;
   std::string file;  // where to write; empty: standard output
+  bool all = false;  // every key, not those alone that one needs
 };
 
 struct KeysArguments {

@@ -18,7 +18,7 @@
 namespace percal::tools {
 namespace {
 
-void print(const page::Table& step) {
+void print_step(const page::Table& step) {
   fmt::print("{}\n", page::as_text(step, terminal_style(page::Detail::answer)));
   std::fflush(stdout);
 }
@@ -43,7 +43,7 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
   Campaign campaign(&store, common.threads);
   const bool as_they_come = common.talks() && !common.details;  // the details have them all
   const Identification found = identify(job, campaign, [&](const ComparedNumbers& step) {
-    if (as_they_come) print(comparison_table(comparison_to_json(job, step)));
+    if (as_they_come) print_step(comparison_table(comparison_to_json(job, step)));
   });
   const page::Json result = identification_to_json(job, found, cost_since(start, campaign));
   deliver(result, folder, common);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "percal/base/error.hpp"
@@ -58,8 +59,8 @@ KeyRecord keys_asked_for(const FileKind& kind, const std::string& document) {
       throw IoFailure(path + ": cannot be written");
     return path;
   };
-  for (const TextFile& file : template_of(kind.name)) write(file.name, file.text);
-  write("scene.toml", uncommented(template_of("scene").front().text));
+  for (const TextFile& file : template_of(kind.name, Keys::all)) write(file.name, file.text);
+  write("scene.toml", uncommented(template_of("scene", Keys::all).front().text));
   const std::string path = write("STEM.toml", document);
   const KeyRecording recording;
   kind.read(path);
@@ -114,8 +115,11 @@ const std::vector<FileKind>& file_kinds() {
 }
 
 const FileKind& file_kind(const std::string& name) {
+  static const std::map<std::string, std::string> by_command{
+      {"impact", "scene"}, {"study", "scene"}, {"job", "calibrate"}};
+  const auto other = by_command.find(name);
   for (const FileKind& kind : file_kinds())
-    if (kind.name == name) return kind;
+    if (kind.name == (other == by_command.end() ? name : other->second)) return kind;
   throw BadInput({"", 0, "kind"}, in_quotes(name), "scene, scale, identify, calibrate");
 }
 

@@ -16,7 +16,8 @@ struct FileKind {
   void (*read)(const std::string& path);  // throws BadInput
 };
 const std::vector<FileKind>& file_kinds();
-const FileKind& file_kind(const std::string& name);  // throws BadInput
+// By its name or that of a command that reads it: "scene", "impact"; "job" is a calibration. Throws BadInput.
+const FileKind& file_kind(const std::string& name);
 
 // A key as the reference has it. `fallback` is the default in words: "required", "left out", or a value.
 struct KeyEntry {

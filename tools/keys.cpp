@@ -75,7 +75,7 @@ Exit run_keys(const KeysArguments& arguments, const Common& common) {
     fmt::print("{}", as_markdown(file_kinds()));
     return Exit::done;
   }
-  const FileKind& kind = file_kind(arguments.kind == "job" ? "calibrate" : arguments.kind);
+  const FileKind& kind = file_kind(arguments.kind);
   if (common.json)
     fmt::print("{}\n", to_json(kind).dump(2));
   else

@@ -64,14 +64,14 @@ class TablePath {
 std::string comment_for(const KeyEntry& key, const std::string& note, bool optional) {
   std::string text = key.meaning;
   if (!key.accepted.empty()) text += (text.empty() ? "" : "; ") + key.accepted;
-  std::string stand = "required";
+  std::string stand = key.fallback.starts_with("required") ? key.fallback : "";
   if (!note.empty())
     stand = note;
   else if (optional)
     stand = key.fallback == "left out"    ? "example"
             : key.fallback.front() == '"' ? "default"
                                           : "default " + key.fallback;
-  return stand + (text.empty() ? "" : ": " + text);
+  return stand + (stand.empty() || text.empty() ? "" : ": ") + text;
 }
 
 std::string padded(std::string text) {
@@ -96,7 +96,8 @@ std::string annotated_line(const std::string& line, const std::vector<KeyEntry>&
   if (equals == std::string::npos) return shown;
   const KeyEntry* key = find(keys, table.of(live.substr(0, equals)));
   if (!key) throw std::logic_error("a template has a key that no reader asks for: " + table.of(live.substr(0, equals)));
-  return padded(shown) + "# " + comment_for(*key, note, optional);
+  const std::string comment = comment_for(*key, note, optional);
+  return comment.empty() ? shown : padded(shown) + "# " + comment;
 }
 
 std::string annotated(const std::string& text, const std::vector<KeyEntry>& keys) {
@@ -107,10 +108,12 @@ std::string annotated(const std::string& text, const std::vector<KeyEntry>& keys
   return result;
 }
 
-std::vector<TextFile> annotated_template(const std::string& word) {
-  const std::string kind = word == "job" ? "calibrate" : word;
-  auto files = template_of(kind);
-  if (kind != "fit") files.front().text = annotated(files.front().text, keys_of(file_kind(kind)));
+std::vector<TextFile> annotated_template(const NewArguments& asked) {
+  const Keys extent = asked.all ? Keys::all : Keys::needed;
+  if (asked.kind == "fit") return template_of("fit", extent);
+  const FileKind& kind = file_kind(asked.kind);
+  auto files = template_of(kind.name, extent);
+  files.front().text = annotated(files.front().text, keys_of(kind));
   return files;
 }
 
@@ -128,7 +131,7 @@ std::vector<TextFile> placed(std::vector<TextFile> files, const fs::path& docume
 }  // namespace
 
 Exit run_new(const NewArguments& arguments, const Common& common) {
-  const auto files = annotated_template(arguments.kind);
+  const auto files = annotated_template(arguments);
   if (arguments.file.empty()) {
     fmt::print("{}", with_stem(files.front().text, "example"));
     return Exit::done;

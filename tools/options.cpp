@@ -67,7 +67,9 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
       ->add_flag("--extrapolate", impact.extrapolate,
                  "the depth at h = 0 from this mesh and one twice as fine, where erosion is judged over a length")
       ->excludes("--accuracy");
-  command->footer("Example: percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
+  command->footer(
+      "Examples: percal impact bb.toml\n"
+      "          percal impact data/guha2009/gold.toml --elements-per-radius 10 --json");
   add_common(*command, common, true);
   commands.push_back({command, [&] { return run_impact(impact, common); }, true});
 }
@@ -281,35 +283,37 @@ void add_store(CLI::App& app, StoreArguments& store, Common& common, std::vector
 
 void add_report(CLI::App& app, ReportArguments& report, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("report", "a result as one HTML page; two results side by side");
-  command->add_option("results", report.results, "result.json of a command, or two of the same command")
+  command->add_option("results", report.results, "result.json of a command or its folder, or two of the same command")
       ->required()
       ->expected(1, 2);
   command->add_option("-o,--file", report.file, "page to write (default: report.html beside the result)");
   command->add_option("--plots", report.plots, "folder for every figure as SVG, PNG and CSV (default: none)");
+  command->add_flag("--open", report.open, "show the page in the browser, by xdg-open");
   command->add_flag("--check", common.check, "read the results, write nothing");
   command->add_flag("--quiet", common.quiet, "print nothing but errors");
-  command->footer("Example: percal report skin.out/result.json -o skin.html");
+  command->footer("Example: percal report bb.out --open");
   commands.push_back({command, [&] { return run_report(report, common); }});
 }
 
 void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("new", "a commented template of a scene, a job or a table of a curve");
-  command->add_option("kind", start.kind, "scene, scale, identify, calibrate (job is the same), fit")
+  command->add_option("kind", start.kind, "a kind of file, or the command that reads it")
       ->required()
-      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "job", "fit"}));
+      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "fit", "impact", "study", "job"}));
+  command->add_flag("--all", start.all, "every key, not those alone that one needs");
   command
       ->add_option("-o,--file", start.file,
                    "file to write, never over another; example tables go beside it (default: standard output)")
       ->type_name("FILE");
   command->add_flag("--quiet", common.quiet, "print nothing but errors");
-  command->footer("Example: percal new scene -o my.toml && percal impact my.toml --check");
+  command->footer("Example: percal new scene -o bb.toml && percal impact bb.toml");
   commands.push_back({command, [&] { return run_new(start, common); }});
 }
 
 void add_keys(CLI::App& app, KeysArguments& keys, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("keys", "every key of a kind of file: what it may be, its default, what it means");
-  auto* kind = command->add_option("kind", keys.kind, "scene, scale, identify, calibrate (job is the same)")
-                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "job"}));
+  auto* kind = command->add_option("kind", keys.kind, "a kind of file, or the command that reads it")
+                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "impact", "study", "job"}));
   auto* json = command->add_flag("--json", common.json, "print them as JSON");
   command->add_flag("--markdown", keys.markdown, "all kinds, as a page")->excludes(kind)->excludes(json);
   command->footer("Example: percal keys scene");
@@ -329,6 +333,13 @@ void add_man(CLI::App& app, ManArguments& man, std::vector<Command>& commands) {
   command->add_option("--all", man.folder, "write all pages to this folder")->type_name("FOLDER");
   command->footer("Example: percal man impact | man -l -");
   commands.push_back({command, [&app, &man] { return run_man(man, described(app)); }});
+}
+
+void add_help(CLI::App& app, std::vector<std::string>& words, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("help", "the help of a command, as its --help");
+  command->add_option("words", words, "a command, as: card write (default: percal itself)");
+  command->footer("Example: percal help impact");
+  commands.push_back({command, [&app, &words] { return print_help(app, words); }});
 }
 
 // What the values of options are called in help and completion: FILE, FOLDER and so on; for all commands at once.
@@ -367,6 +378,7 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_keys(app, a.keys, a.common, commands);
   add_completion(app, a.completion, commands);
   add_man(app, a.man, commands);
+  add_help(app, a.help, commands);
   name_values(app);
   return commands;
 }

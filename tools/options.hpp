@@ -25,6 +25,7 @@ struct Arguments {
   KeysArguments keys;
   CompletionArguments completion;
   ManArguments man;
+  std::vector<std::string> help;  // words of a command
 };
 
 struct Command {
@@ -37,5 +38,8 @@ struct Command {
 std::vector<Command> add_commands(CLI::App& app, Arguments& a);
 
 DescribedCommand described(const CLI::App& app);
+
+// Prints the help of the command that the words name, that of the program where there are none. Throws BadInput for other words.
+Exit print_help(const CLI::App& program, const std::vector<std::string>& words);
 
 }  // namespace percal::tools

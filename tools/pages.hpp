@@ -1,9 +1,10 @@
-// The pages of all commands: the one place that sees them.
+// Results as they are read and delivered.
 #pragma once
 #include <optional>
 #include <string>
 
 #include "commands.hpp"
+#include "page_of_result.hpp"
 #include "percal/impact/target/size.hpp"
 #include "percal/page/comparison.hpp"
 #include "percal/page/text.hpp"
@@ -11,12 +12,8 @@
 
 namespace percal::tools {
 
-// The page of a result.json of any command that writes one. Throws BadInput with `file` where it is none, where its schema is
-// another, or where a key is missing.
-page::Page page_of_result(const page::Json& result, const std::string& file);
-
-// Reads the file. Throws BadInput as above.
-page::ReadResult read_result(const std::string& file);
+// Reads the file, or result.json of the folder. Throws BadInput as page_of_result() does.
+page::ReadResult read_result(const std::string& path);
 
 // What every command ends with: result.json in the folder (nowhere where that is empty), then on standard output the result as JSON
 // (--json), or its page as text, the answer alone or all of it (--details), or nothing (--quiet). Throws IoFailure.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# From a bare Debian machine to the identified skin: installs what the build takes, builds, runs the main job. Safe to repeat:
+# From a bare Debian machine to a steel BB in gelatin: installs what the build takes, builds, shoots the BB. Safe to repeat:
 # packages, objects and evaluations that are there are not made again.
 set -eu
 cd "$(dirname "$0")/.."
@@ -10,6 +10,7 @@ echo "quickstart: building build/release/percal"
 cmake --preset release -DPERCAL_TESTS=OFF
 cmake --build --preset release --target percal_program
 
-echo "quickstart: identifying the skin of data/guha2009/skin.toml, five minutes on two cores the first time"
-build/release/percal identify data/guha2009/skin.toml --out skin.out
-echo "quickstart: the result is skin.out/result.json, the material cards are beside it"
+echo "quickstart: a steel BB at 180 m/s into 10 % gelatin"
+[ -e bb.toml ] || build/release/percal new scene -o bb.toml
+build/release/percal impact bb.toml
+echo "quickstart: bb.toml is yours to change; the program is build/release/percal, and docs/tutorial goes on from here"

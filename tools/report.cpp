@@ -1,6 +1,10 @@
 // percal report RESULT: a result as a page; two results side by side.
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 
 #include "colour.hpp"
@@ -12,9 +16,38 @@
 namespace percal::tools {
 namespace {
 
-std::string page_file(const ReportArguments& arguments) {
+// Beside the result, unless the arguments say where.
+std::string page_file(const ReportArguments& arguments, const std::string& result) {
   if (!arguments.file.empty()) return arguments.file;
-  return std::filesystem::path(arguments.results[0]).replace_filename("report.html").string();
+  return std::filesystem::path(result).replace_filename("report.html").string();
+}
+
+// Shows the page in the user's browser. Throws IoFailure where xdg-open is not there or fails.
+void open_page(const std::string& file) {
+  std::string program = "xdg-open", page = std::filesystem::absolute(file).string();
+  char* words[] = {program.data(), page.data(), nullptr};
+  posix_spawnattr_t attributes;  // signals reach it, though this program may block them
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t child = 0;
+  int status = 0;
+  const int started = posix_spawnp(&child, words[0], nullptr, &attributes, words, environ);
+  posix_spawnattr_destroy(&attributes);
+  if (started != 0) throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
+  if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw IoFailure("--open: xdg-open failed: open " + file + " in a browser");
+}
+
+void say_written(const ReportArguments& arguments, const std::string& file, const page::Page& page,
+                 const page::DrawnFigures& figures) {
+  const auto missing = page::figures_of(page).size() - figures.size();
+  print(fmt::format("{}: {}\n", file, page.title));
+  if (missing > 0)
+    fmt::print("{} plots were not drawn, since gnuplot is not there or failed: their points are in tables\n", missing);
+  if (!arguments.plots.empty()) print("plots: " + arguments.plots + "\n");
 }
 
 }  // namespace
@@ -27,17 +60,13 @@ Exit run_report(const ReportArguments& arguments, const Common& common) {
     if (!common.quiet) print(fmt::format("{}: {}\n", fmt::join(arguments.results, ", "), page.title));
     return Exit::done;
   }
-  const std::string file = page_file(arguments);
+  const std::string file = page_file(arguments, first.file);
   ensure_writable_file(file);
   const page::DrawnFigures figures = page::draw_figures(page);
   write_file(file, page::html(page, figures));
   if (!arguments.plots.empty()) page::write_figures(page, arguments.plots, page::Pictures::svg_and_png);
-  if (common.quiet) return Exit::done;
-  const auto missing = page::figures_of(page).size() - figures.size();
-  print(fmt::format("{}: {}\n", file, page.title));
-  if (missing > 0)
-    fmt::print("{} plots were not drawn, since gnuplot is not there or failed: their points are in tables\n", missing);
-  if (!arguments.plots.empty()) print("plots: " + arguments.plots + "\n");
+  if (!common.quiet) say_written(arguments, file, page, figures);
+  if (arguments.open) open_page(file);
   return Exit::done;
 }
 

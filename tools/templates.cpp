@@ -42,16 +42,28 @@ std::string with_alternative(std::vector<std::string> lines, std::size_t chosen)
   return text;
 }
 
+std::string document_name(const std::string& kind, Keys keys) {
+  const std::string all = "variants/" + kind + "_all.toml";
+  if (keys == Keys::all && embedded_templates().contains(all)) return all;
+  return kind + (embedded_templates().contains(kind + ".csv") ? ".csv" : ".toml");
+}
+
+// An embedded document with the lines that it shares with others.
+std::string document(const std::string& name) {
+  const std::string shared = "solver_keys.toml";
+  return replaced(embedded_templates().at(name), "#< " + shared + "\n", embedded_templates().at(shared));
+}
+
 }  // namespace
 
-std::vector<TextFile> template_of(const std::string& kind) {
-  std::vector<TextFile> files;
-  for (const auto& [name, text] : embedded_templates())
-    if (name.starts_with(kind + "_")) files.push_back({"STEM" + name.substr(kind.size()), text});
-  const bool table = embedded_templates().contains(kind + ".csv");
-  const std::string ending = table ? ".csv" : ".toml", shared = "solver_keys.toml";
-  files.insert(files.begin(), {"STEM" + ending, replaced(embedded_templates().at(kind + ending), "#< " + shared + "\n",
-                                                         embedded_templates().at(shared))});
+std::vector<TextFile> template_of(const std::string& kind, Keys keys) {
+  const std::string name = document_name(kind, keys);
+  std::vector<TextFile> files{{"STEM" + name.substr(name.rfind('.')), document(name)}};
+  for (const auto& [other, text] : embedded_templates()) {
+    const std::string table = "STEM" + other.substr(std::min(kind.size(), other.size()));
+    if (other.starts_with(kind + "_") && files.front().text.find('"' + table + '"') != std::string::npos)
+      files.push_back({table, text});
+  }
   return files;
 }
 
@@ -62,14 +74,18 @@ std::string uncommented(const std::string& text) {
 }
 
 std::vector<std::string> sample_documents(const std::string& kind) {
-  const std::string text = template_of(kind).front().text;
-  std::vector<std::string> documents{uncommented(text)};
-  const auto lines = lines_of(text);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (note_of(lines[i]).starts_with("instead of ")) documents.push_back(uncommented(with_alternative(lines, i)));
-  for (const auto& [name, variant] : embedded_templates())
-    if (name.starts_with("variants/" + kind + "_")) documents.push_back(variant);
-  return documents;
+  std::vector<std::string> names{document_name(kind, Keys::all)}, samples;  // the order of the keys is the first one's
+  for (const auto& [name, text] : embedded_templates())
+    if ((name == kind + ".toml" || name.starts_with("variants/" + kind + "_")) && name != names.front())
+      names.push_back(name);
+  for (const std::string& name : names) {
+    const std::string text = document(name);
+    const auto lines = lines_of(text);
+    samples.push_back(uncommented(text));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (note_of(lines[i]).starts_with("instead of ")) samples.push_back(uncommented(with_alternative(lines, i)));
+  }
+  return samples;
 }
 
 std::string with_stem(std::string text, const std::string& stem) { return replaced(std::move(text), "STEM", stem); }

@@ -19,14 +19,17 @@ struct TextFile {
 // The files by their names in tools/templates: "scene.toml", "variants/scene_cone.toml".
 const std::map<std::string, std::string>& embedded_templates();
 
-// The document of a kind ("scene", "fit"), then the tables that it reads.
-std::vector<TextFile> template_of(const std::string& kind);
+// What a template shows: the keys that one needs, or every key. variants/KIND_all.toml has them where the template has not.
+enum class Keys { needed, all };
+
+// The document of a kind ("scene", "fit"), then the tables that it names.
+std::vector<TextFile> template_of(const std::string& kind, Keys keys);
 
 // The template with its comments taken off, but for keys whose note says "instead of" or "only".
 std::string uncommented(const std::string& text);
 
-// Documents that have every key of a kind between them: the template without its comments, the same for each key that stands
-// "instead of" others, and variants/KIND_*.toml, which have other shapes and other ways to say a thing.
+// Documents that have every key of a kind between them: the template and variants/KIND_*.toml, which have other keys, shapes and ways
+// to say a thing, each without its comments, and the same again for each key that stands "instead of" others.
 std::vector<std::string> sample_documents(const std::string& kind);
 
 // Every STEM in it replaced.

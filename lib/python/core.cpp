@@ -13,6 +13,8 @@ PYBIND11_MODULE(_core, core) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const percal::NoSuchFile& error) {
+      PyErr_SetString(PyExc_FileNotFoundError, error.what());
     } catch (const percal::BadInput& error) {
       PyErr_SetString(PyExc_ValueError, error.what());
     } catch (const percal::IoFailure& error) {
@@ -34,4 +36,5 @@ PYBIND11_MODULE(_core, core) {
   percal::python::bind_impact(core);
   percal::python::bind_jobs(core);
   percal::python::bind_card(core);
+  percal::python::bind_pages(core);
 }

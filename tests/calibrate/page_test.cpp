@@ -212,6 +212,18 @@ TEST_F(CalibratePageOfResult, DepthsStandAgainstMeasuredOnesAndTheImpactParamete
   EXPECT_THAT(soft->caption, HasSubstr("free: 10.0 % from the measured depths"));
 }
 
+TEST_F(CalibratePageOfResult, EachBallHasItsPointsALineAndABandOverItsSpeeds) {
+  const Figure* speeds = figure_of(page, "speed_1_1");
+  ASSERT_TRUE(speeds);
+  const Series* steel = series_of(*speeds, "steel 3 mm");
+  ASSERT_TRUE(steel);
+  EXPECT_THAT(steel->x, ElementsAre(near(40), near(60)));
+  std::vector<Mark> marks;
+  for (const Series& one : speeds->chart.series)
+    if (one.colour == steel->colour) marks.push_back(one.mark);
+  EXPECT_THAT(marks, ElementsAre(Mark::band, Mark::line, Mark::points));
+}
+
 TEST_F(CalibratePageOfResult, ProfilesFreshRunsAndRoundsHaveFigures) {
   const Figure *profiles = figure_of(page, "profiles_1"), *fresh = figure_of(page, "fresh_1"),
                *rounds = figure_of(page, "error_vs_time");

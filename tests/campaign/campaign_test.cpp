@@ -55,6 +55,23 @@ TEST_F(CampaignTest, WhatIsInTheStoreIsNotRunAgain) {
   EXPECT_EQ(second.cost().cpu_seconds, 0);
 }
 
+TEST_F(CampaignTest, EndsWithinARunWhereItIsAskedToStop) {
+  Campaign campaign(store.get(), 1);
+  int asked = 0;
+  campaign.stop_when([&] { return ++asked > 10; });
+  EXPECT_THROW(campaign.evaluate(quick()), Interrupted);
+  EXPECT_EQ(asked, 11);
+  EXPECT_EQ(campaign.cost().runs, 0);
+}
+
+TEST_F(CampaignTest, MayBeAskedToStopWithoutAnotherBit) {
+  Campaign asked(nullptr, 1), never(nullptr, 1);
+  asked.stop_when([] { return false; });
+  const ImpactResult one = asked.evaluate(quick()).result, other = never.evaluate(quick()).result;
+  EXPECT_EQ(one.depth, other.depth);
+  EXPECT_EQ(one.energy.sum(), other.energy.sum());
+}
+
 TEST_F(CampaignTest, BeginsNoRunThatWouldEndAfterTheDeadline) {
   Campaign campaign(store.get(), 1);
   const auto now = std::chrono::steady_clock::now();

@@ -31,6 +31,7 @@ expect("Depends: [^\n]*libc6[^\n]*libsqlite3-0")
 expect("Recommends: gnuplot-nox")
 run(dpkg-deb --contents ${package})
 foreach(file bin/percal include/percal/fit.hpp cmake/percal/percalConfig.cmake share/doc/percal/copyright
+        share/doc/percal/changelog.gz share/man/man1/percal.1.gz share/doc/percal/docs/README.md share/doc/percal/docs/how-to/own_csv.md
         share/percal/data/synthetic/joint_small.toml)
   expect("/usr/[^\n]*${file}")
 endforeach()

@@ -7,6 +7,7 @@
 #include "page/page_words.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/page/page.hpp"
+#include "percal/page/html.hpp"
 
 namespace percal {
 namespace {
@@ -72,6 +73,19 @@ TEST_F(Comparison, OtherNumbersThatDifferAreListedAfterTheMainOnes) {
   const std::string words = words_of(*section_of(both(), "numbers"));
   EXPECT_LT(words.find("The main numbers"), words.find("Other numbers that differ"));
   EXPECT_THAT(words, HasSubstr("error budgets: E of soft: influence | -1.7 | -1 | 0.7"));
+}
+
+TEST_F(Comparison, TheLongListIsFolded) {
+  second["hypotheses"][0]["error_budgets"][0]["influence"] = -1.0;
+  const Page page = both();
+  EXPECT_THAT(html(page, {}), HasSubstr("<details><summary>Other numbers that differ"));
+}
+
+TEST_F(Comparison, AChangeOverNextToNothingIsNoPercentage) {
+  second["hypotheses"][0]["error_budgets"][0]["influence"] = -1.0;
+  first["hypotheses"][0]["error_budgets"][0]["influence"] = 1e-7;
+  const std::string words = words_of(*section_of(both(), "numbers"));
+  EXPECT_THAT(words, HasSubstr("influence | 1e-07 | -1 | -1 | -\n"));
 }
 
 TEST_F(Comparison, FiguresThatDifferAreOverlaid) {

@@ -52,6 +52,24 @@ TEST_F(Report, WithoutGnuplotThePointsAreInTables) {
   EXPECT_THAT(test::markup_faults(read("page.html")), IsEmpty());
 }
 
+TEST_F(Report, AFolderStandsForItsResult) {
+  fit_result();
+  EXPECT_EQ(run({"report", "fit.out", "--quiet"}).code, 0);
+  EXPECT_THAT(read("fit.out/report.html"), HasSubstr("treloar1944_rubber_primary.csv"));
+  EXPECT_THAT(run({"report", "."}).err, HasSubstr("./result.json: there is no such file"));
+}
+
+TEST_F(Report, OpensThePageOrSaysWhatToOpen) {
+  const std::string result = fit_result();
+  const Ended without = run({"report", result, "--open"}, [] { setenv("PATH", "/nowhere", 1); });
+  EXPECT_EQ(without.code, 4);
+  EXPECT_THAT(without.err, HasSubstr("no xdg-open here: open fit.out/report.html in a browser"));
+  write("bin/xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
+  std::filesystem::permissions(path("bin/xdg-open"), std::filesystem::perms::owner_all);
+  EXPECT_EQ(run({"report", result, "--open"}, [&] { setenv("PATH", path("bin").c_str(), 1); }).code, 0);
+  EXPECT_EQ(read("opened"), path("fit.out/report.html") + "\n");
+}
+
 TEST_F(Report, WhatIsNoResultIsRefused) {
   const std::pair<std::string, std::string> cases[] = {
       {write("a.json", "{\"schema\": 2"), "not JSON"},

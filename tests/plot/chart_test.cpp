@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace percal {
@@ -120,6 +122,15 @@ TEST(PlotOf, ARangeThatIsGivenIsKept) {
   EXPECT_THAT(plot_of("x", chart).script, HasSubstr("set xrange [0:2.03]\n"));
 }
 
+TEST(PlotOf, LabelsOfALogarithmicAxisStandClearOfEachOther) {
+  Chart chart = chart_of({series("", Mark::line, {1200, 9000}, {1200, 9000})});
+  chart.x.logarithmic = chart.y.logarithmic = true;
+  const std::string script = plot_of("x", chart).script;
+  EXPECT_THAT(script, HasSubstr("set xtics ('1500' 1500, '2000' 2000, '3000' 3000, '4000' 4000, '6000' 6000, "
+                                "'8000' 8000)"));
+  EXPECT_THAT(script, HasSubstr("'4000' 4000, '5000' 5000, '6000' 6000, '8000' 8000)")) << "upwards there is room";
+}
+
 TEST(PlotOf, TheUpperAxisIsTheLowerOneTimesItsFactor) {
   Chart chart = chart_of({series("", Mark::line, {1, 2}, {3, 40})});
   chart.x.low = 1;
@@ -136,12 +147,14 @@ TEST(Palette, ColoursCycleAndGreyIsOutsideOfIt) {
   EXPECT_EQ(palette_colour(-1), "#808080");
 }
 
+double luminance_of_channel(const std::string& colour, int place) {
+  const double c = std::stoi(colour.substr(static_cast<std::size_t>(place), 2), nullptr, 16) / 255.0;
+  return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
 double luminance(const std::string& colour) {
-  const auto channel = [&](int place) {
-    const double c = std::stoi(colour.substr(static_cast<std::size_t>(place), 2), nullptr, 16) / 255.0;
-    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5);
+  return 0.2126 * luminance_of_channel(colour, 1) + 0.7152 * luminance_of_channel(colour, 3) +
+         0.0722 * luminance_of_channel(colour, 5);
 }
 
 // Contrast as the Web Content Accessibility Guidelines define it: 3 for what is not text.
@@ -151,6 +164,39 @@ TEST(Palette, EveryColourIsReadableOnWhiteAndOnTheDarkPage) {
     EXPECT_GE(1.05 / (colour + 0.05), 3) << palette_colour(k);
     EXPECT_GE((colour + 0.05) / (luminance("#14171a") + 0.05), 3) << palette_colour(k);
   }
+}
+
+// Of a reader who sees all colours, no red or no green, as CIE Lab: Machado, Oliveira and Fernandes (2009), severity 1.
+using Triple = std::array<double, 3>;
+constexpr std::array<std::array<Triple, 3>, 3> visions{
+    {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+     {{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
+     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}}}};
+constexpr std::array<Triple, 3> to_xyz{{{0.4339, 0.3763, 0.1899}, {0.2126, 0.7152, 0.0722}, {0.0177, 0.1095, 0.8729}}};
+
+Triple times(const std::array<Triple, 3>& matrix, const Triple& v) {
+  Triple product{};
+  for (int i = 0; i < 3; ++i) product[i] = matrix[i][0] * v[0] + matrix[i][1] * v[1] + matrix[i][2] * v[2];
+  return product;
+}
+
+Triple as_seen(const std::string& colour, const std::array<Triple, 3>& vision) {
+  Triple seen = times(
+      vision, {luminance_of_channel(colour, 1), luminance_of_channel(colour, 3), luminance_of_channel(colour, 5)});
+  for (double& channel : seen) channel = std::clamp(channel, 0.0, 1.0);
+  Triple xyz = times(to_xyz, seen);  // over white's
+  for (double& one : xyz) one = one > 0.008856 ? std::cbrt(one) : 7.787 * one + 16.0 / 116;
+  return {116 * xyz[1] - 16, 500 * (xyz[0] - xyz[1]), 200 * (xyz[1] - xyz[2])};
+}
+
+TEST(Palette, ColoursDifferForAReaderWhoSeesNoRedOrNoGreen) {
+  constexpr double clearly = 20;  // distance in Lab; 2.3 is just noticeable side by side
+  for (const auto& vision : visions)
+    for (int k = -1; k < 5; ++k)
+      for (int other = k + 1; other < 5; ++other) {
+        const Triple a = as_seen(palette_colour(k), vision), b = as_seen(palette_colour(other), vision);
+        EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), clearly) << k << " " << other;
+      }
 }
 
 }  // namespace

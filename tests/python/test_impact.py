@@ -10,6 +10,7 @@ import tempfile
 import threading
 import time
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -37,7 +38,7 @@ class AScene(unittest.TestCase):
     def test_that_cannot_be_used_names_the_key(self):
         with self.assertRaisesRegex(ValueError, r"gold.toml, changed:\d+: particle.speed: found"):
             GOLD.changed(particle={"speed": 500})
-        with self.assertRaisesRegex(ValueError, "nowhere.toml"):
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
             percal.Scene.read("nowhere.toml")
 
 
@@ -124,6 +125,41 @@ class AnImpact(unittest.TestCase):
             with contextlib.closing(sqlite3.connect(store)) as kept:
                 finished = kept.execute("select count(*) from evaluations").fetchone()[0]
         self.assertTrue(1 <= finished < 1000, finished)
+
+    def test_ends_by_ctrl_c_within_a_run(self):
+        threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        start = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            percal.impact(GOLD, 100, replicates=1, threads=1, history=False)  # minutes
+        self.assertLess(time.monotonic() - start, 3)
+
+
+class AResultInANotebook(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.impact = percal.impact(GOLD, elements_per_radius=4, replicates=1)
+        cls.fit = percal.fit([1.1, 1.2, 1.3, 1.4], [10e3, 19e3, 27e3, 36e3])
+
+    def test_is_the_page_in_a_frame_of_its_own(self):
+        for shown, words in ((self.impact, "Impact"), (self.fit, "alpha")):
+            frame = shown._repr_html_()
+            self.assertTrue(frame.startswith('<iframe srcdoc="&lt;!DOCTYPE html&gt;'))
+            self.assertIn(words, frame)
+
+    def test_is_drawn_into_the_axes_that_it_is_given(self):
+        for shown, x, y in ((self.impact, "time, ms", "depth, mm"), (self.fit, "stretch", "nominal stress, kPa")):
+            ax = unittest.mock.Mock()
+            self.assertIs(shown.plot(ax), ax)
+            ax.set_xlabel.assert_called_once_with(x)
+            ax.set_ylabel.assert_called_once_with(y)
+            self.assertTrue(ax.plot.called)
+
+    def test_says_what_is_missing_where_there_is_no_matplotlib(self):
+        with unittest.mock.patch.dict("sys.modules", {"matplotlib": None, "matplotlib.pyplot": None}):
+            with self.assertRaisesRegex(ImportError, "matplotlib, which is not installed"):
+                self.impact.plot()
+        with self.assertRaisesRegex(ValueError, "history=True"):
+            percal.impact(GOLD, 4, replicates=1, history=False).plot()
 
 
 if __name__ == "__main__":

@@ -125,6 +125,12 @@ TEST_F(Manual, IsFormattedWithoutAWarning) {
 
 class Suggestion : public test::Program {};
 
+TEST_F(Suggestion, OfACommandThatHelpIsAskedFor) {
+  EXPECT_THAT(run({"help", "crad"}).err, HasSubstr("did you mean card?"));
+  EXPECT_EQ(run({"help", "card", "write"}).out, run({"card", "write", "--help"}).out);
+  EXPECT_EQ(run({"help"}).out, run({"--help"}).out);
+}
+
 TEST_F(Suggestion, OfTheOptionThatWasMeant) {
   const std::string scene = test::test_data + "layer.toml";
   for (const Words& words :

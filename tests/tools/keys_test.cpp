@@ -76,7 +76,7 @@ class NewTemplate : public test::Program, public testing::WithParamInterface<std
  protected:
   std::string command() const { return GetParam() == "scene" ? "impact" : GetParam(); }
   std::vector<std::string> written() const {
-    const Ended ended = run({"new", GetParam(), "-o", "my.toml"});
+    const Ended ended = run({"new", GetParam(), "--all", "-o", "my.toml"});
     EXPECT_EQ(ended.code, 0) << ended.err;
     return lines_of(read("my.toml"));
   }
@@ -152,8 +152,39 @@ INSTANTIATE_TEST_SUITE_P(Kinds, NewTemplate, testing::ValuesIn(kinds), [](const 
 
 TEST_F(Keys, NewJobIsACalibrationAndNewFitACurve) {
   EXPECT_EQ(run({"new", "job"}).out, run({"new", "calibrate"}).out);
+  EXPECT_EQ(run({"new", "impact"}).out, run({"new", "scene"}).out);
+  EXPECT_EQ(run({"keys", "impact"}).out, run({"keys", "scene"}).out);
   ASSERT_EQ(run({"new", "fit", "-o", "curve.csv"}).code, 0);
   EXPECT_EQ(run({"fit", "curve.csv"}).code, 0);
+}
+
+// FBI's acceptance band: data/public/gelatin_bb_calibration_points.csv.
+TEST_F(Keys, TheNewSceneIsABBThatGelatinStopsWhereItShould) {
+  ASSERT_EQ(run({"new", "scene", "-o", "bb.toml"}).code, 0);
+  const json found = json::parse(run({"impact", "bb.toml", "--replicates", "1", "--store", "s", "--json"}).out);
+  EXPECT_EQ(found["outcome"], "stopped");
+  EXPECT_NEAR(found["depth_m"], 0.085, 0.01);
+}
+
+// Half the radius makes half the depth, at the modulus of the squared ratio of speeds.
+TEST_F(Keys, TheNewScalingHasAnAnswer) {
+  ASSERT_EQ(run({"new", "scale", "-o", "my.toml"}).code, 0);
+  const json found = json::parse(run({"scale", "my.toml", "--json"}).out);
+  EXPECT_EQ(found["not_similar_because"], json::array());
+  EXPECT_NEAR(found["modulus_ratio"], 4.0 / 9, 1e-12);
+}
+
+TEST_F(Keys, TheNewCalibrationIsAsLongAsOneNeedsAndValidWithItsCurveToo) {
+  ASSERT_EQ(run({"new", "calibrate", "-o", "my.toml"}).code, 0);
+  EXPECT_EQ(files(), (std::set<std::string>{"my.toml", "my_shots.csv", "my_curve.csv"}));
+  auto lines = lines_of(read("my.toml"));
+  EXPECT_LE(lines.size(), 45U);
+  EXPECT_EQ(run({"calibrate", "my.toml", "--check"}).code, 0);
+  for (auto& line : lines)
+    if (is_commented_entry(line)) line = live(line);
+  write("my.toml", joined(lines));
+  const Ended ended = run({"calibrate", "my.toml", "--check"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
 }
 
 TEST_F(Keys, ATableThatWouldBeReplacedStopsTheWholeTemplate) {

@@ -110,6 +110,16 @@ TEST_F(Terminal, WideTablesFitIntoNarrowOnes) {
   }
 }
 
+TEST_F(Terminal, HelpIsFoldedAtWordsButForExamples) {
+  for (const auto& command : {std::vector<std::string>{"--help"}, {"study", "--help"}, {"help", "calibrate"}}) {
+    const std::string help = on_terminal(command, {}, 80);
+    EXPECT_LE(widest(help.substr(0, help.find("\nExample"))), 80U);
+  }
+  EXPECT_THAT(on_terminal({"--help"}, {}, 80),
+              HasSubstr("exponents,\r\n                              every minimum, models compared"));
+  EXPECT_THAT(on_terminal({"help", "fit"}, {}, 60), HasSubstr("--where mode=UT --residual absolute"));
+}
+
 TEST_F(Terminal, TheAnswerOfAFitIsOneScreenOfEightyColumns) {
   const std::string answer = on_terminal({"fit", PERCAL_DATA "/public/treloar1944_rubber_primary.csv"}, {}, 80);
   EXPECT_LE(widest(indented(answer)), 80U);

@@ -22,6 +22,12 @@ class BadInput : public std::runtime_error {
   explicit BadInput(const std::string& message);
 };
 
+// A file that the input names and that is not there.
+class NoSuchFile : public BadInput {
+ public:
+  explicit NoSuchFile(const std::string& path) : BadInput(path + ": there is no such file") {}
+};
+
 // A file that cannot be read or written although the input is right: full disk, unwritable folder. Exit code 4.
 class IoFailure : public std::runtime_error {
  public:

@@ -43,14 +43,31 @@ Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observe
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
   const int threads = std::clamp(static_cast<int>(size_of(problem).elements / worth_a_thread), 1, spare_threads);
-  Evaluation evaluation{.result = in_memory(problem, [&] {
-                          return observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads);
-                        }),
-                        .instruction_level = instruction_level()};
+  Evaluation evaluation{
+      .result = in_memory(
+          problem, [&] { return observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads); }),
+      .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return evaluation;
 }
+
+// Ends a run from within where the campaign is asked to stop; looks on for another observer, which may be null.
+class StopWatch : public FrameObserver {
+ public:
+  StopWatch(const std::function<bool()>& wanted, FrameObserver* other) : wanted_(wanted), other_(other) {}
+  bool is_due(const Moment& now) override {
+    if (wanted_()) throw Interrupted();
+    return other_ && other_->is_due(now);
+  }
+  void see(const Frame& frame) override {
+    if (other_) other_->see(frame);
+  }
+
+ private:
+  const std::function<bool()>& wanted_;
+  FrameObserver* const other_;
+};
 
 }  // namespace
 
@@ -92,9 +109,7 @@ struct Campaign::Books {
 };
 
 Campaign::Campaign(Store* store, int threads)
-    : store_(store),
-      threads_(threads > 0 ? threads : threads_of_this_machine()),
-      books_(std::make_shared<Books>()) {}
+    : store_(store), threads_(threads > 0 ? threads : threads_of_this_machine()), books_(std::make_shared<Books>()) {}
 
 Evaluation Campaign::evaluate(const Problem& problem) { return *evaluate(problem, 1, nullptr, {}); }
 
@@ -114,7 +129,8 @@ std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads
     const std::chrono::duration<double> left = *deadline - std::chrono::steady_clock::now();
     if (left.count() < books_->expected_seconds(problem)) return std::nullopt;
   }
-  Evaluation evaluation = run(problem, threads, observer);
+  StopWatch watch(stop_wanted_, observer);
+  Evaluation evaluation = run(problem, threads, stop_wanted_ ? &watch : observer);
   if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
   books_->add(problem, evaluation);
   return evaluation;

@@ -60,7 +60,8 @@ class Campaign {
   // work(0) ... work(count - 1), each on one of the threads. The first exception ends the rest and is thrown here.
   void side_by_side(int count, const std::function<void(int)>& work) const;
 
-  // Asked before each run, from several threads at once; where it answers yes, the run is not begun and Interrupted thrown.
+  // Asked before each run and at its every step, from several threads at once; where it answers yes, the run ends and Interrupted is
+  // thrown.
   void stop_when(std::function<bool()> wanted) { stop_wanted_ = std::move(wanted); }
 
   CampaignCost cost() const;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t most_others = 40;  // numbers that are not main ones
 constexpr double worth_a_word = 2;       // combined errors
+constexpr double next_to_nothing = 0.1;  // of the other number: a change over less is no percentage
 
 // --- inputs -------------------------------------------------------------------------------------------------------
 
@@ -86,7 +87,14 @@ struct BothNumbers {
     return first && second ? std::optional(second->value - first->value) : std::nullopt;
   }
   std::optional<double> relative() const {
-    return difference() && first->value != 0 ? std::optional(*difference() / std::abs(first->value)) : std::nullopt;
+    return difference() && std::abs(first->value) > next_to_nothing * std::abs(second->value)
+               ? std::optional(*difference() / std::abs(first->value))
+               : std::nullopt;
+  }
+  // Of the larger of the two: from 0, the same, to 2.
+  double share() const {
+    const double larger = std::max(std::abs(first->value), std::abs(second->value));
+    return larger > 0 ? std::abs(*difference()) / larger : 0;
   }
   // The difference over both errors together.
   std::optional<double> over_errors() const {
@@ -157,12 +165,12 @@ Section numbers_section(const std::string& command, const std::vector<BothNumber
       "Errors are standard errors or spreads where the result has them, a quarter of the interval's width where it has "
       "one. Over both errors: the difference over the root of the sum of their squares.");
   add(section, std::move(main));
-  std::stable_sort(others.begin(), others.end(), [](const BothNumbers& a, const BothNumbers& b) {
-    return std::abs(a.relative().value_or(0)) > std::abs(b.relative().value_or(0));
-  });
-  Table rest{.caption = "Other numbers that differ, the largest share first", .rows = {header}, .notes = {}};
+  std::stable_sort(others.begin(), others.end(),
+                   [](const BothNumbers& a, const BothNumbers& b) { return a.share() > b.share(); });
+  Table rest{
+      .caption = "Other numbers that differ, the largest share first", .rows = {header}, .notes = {}, .folded = true};
   for (std::size_t i = 0; i < std::min(others.size(), most_others); ++i) rest.rows.push_back(row_of(others[i]));
-  if (others.size() > most_others) rest.notes.push_back(fmt::format("And {} more.", others.size() - most_others));
+  rest.caption += fmt::format(" ({} of {})", std::min(others.size(), most_others), others.size());
   add(section, std::move(rest));
   if (only_a + only_b > 0)
     add_sentence(section, fmt::format("{} numbers stand in A alone, {} in B alone.", only_a, only_b));

@@ -101,6 +101,9 @@ struct Renderer {
     return text + "</ul>\n";
   }
   std::string operator()(const Table& table) const {
+    if (table.folded)
+      return "<details><summary>" + escaped(table.caption) + "</summary>\n" + rows_of(table, "scroll") +
+             notes_of(table.notes) + "</details>\n";
     return "<figure class=\"table\">\n" +
            (table.caption.empty() ? std::string()
                                   : "<figcaption><strong>" + escaped(table.caption) + "</strong></figcaption>\n") +

@@ -29,6 +29,7 @@ struct Table {
   std::vector<std::vector<std::string>>
       rows;  // the first row is the header, empty cells: none; the first column names the row
   std::vector<std::string> notes;
+  bool folded = false;  // long: a page for the browser shows it when it is asked to
 };
 
 struct Figure {

@@ -51,17 +51,6 @@ std::string line_of(const Row& row, const std::vector<std::size_t>& widths, cons
   return line + "\n";
 }
 
-// Lines of at most so many characters, broken at blanks; a longer word stays whole.
-std::vector<std::string> folded(const std::string& text, std::size_t width) {
-  std::vector<std::string> lines{""};
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (!lines.back().empty() && characters(lines.back()) + 1 + characters(word) > width) lines.push_back("");
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-  }
-  return lines;
-}
-
 // Columns of words made narrower until the table fits, the widest first, none below its header; further lines of a cell are rows of
 // their own. Too wide still where there is nothing left to fold.
 std::vector<Row> folded_to_fit(const Table& table, std::size_t room) {
@@ -159,6 +148,16 @@ struct TextWriter {
 };
 
 }  // namespace
+
+std::vector<std::string> folded(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines{""};
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && characters(lines.back()) + 1 + characters(word) > width) lines.push_back("");
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
 
 std::string as_text(const Table& written, const TextStyle& style) {
   const Table table = printable_of(written);

@@ -1,6 +1,7 @@
 // A page for the terminal: the answer first, the rest where it is asked for.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "percal/page/page.hpp"
 
@@ -20,5 +21,8 @@ std::string as_text(const Section& section, const TextStyle& style);
 // characters, not bytes; every line is indented by two. Where the columns do not suffice the last column of words is folded, and
 // where that is not enough each row is shown as a list of its cells.
 std::string as_text(const Table& table, const TextStyle& style);
+
+// Lines of at most so many characters, broken at blanks; a longer word stays whole.
+std::vector<std::string> folded(const std::string& text, std::size_t width);
 
 }  // namespace percal::page

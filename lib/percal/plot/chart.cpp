@@ -82,14 +82,27 @@ std::vector<double> logarithmic_tics(const Extent& extent) {
   return tics;
 }
 
+// Of a character of a label over the length of a horizontal axis on a phone, the gap between two labels counted in.
+constexpr double width_of_character = 0.032;
+
 std::string tics_of(const std::string& name, const Axis& axis, const Extent& extent) {
   std::string listed;
   const auto add = [&](const std::string& label, double place) {
     listed += fmt::format("{}{} {:.9g}", listed.empty() ? "" : ", ", gnuplot_quoted(label), place);
   };
   for (const auto& [place, label] : axis.tics) add(label, place);
-  if (listed.empty() && axis.logarithmic)
-    for (const double place : logarithmic_tics(extent)) add(fmt::format("{:.6g}", place), place);
+  if (listed.empty() && axis.logarithmic) {
+    const double decades = std::log10(extent.high / extent.low);
+    double free_from = -HUGE_VAL;  // where the last label ends, as a share of the axis
+    for (const double place : logarithmic_tics(extent)) {
+      const std::string label = fmt::format("{:.6g}", place);
+      const double middle = std::log10(place / extent.low) / decades;
+      const double half = name.starts_with('x') ? 0.5 * width_of_character * static_cast<double>(label.size()) : 0;
+      if (middle - half < free_from) continue;
+      add(label, place);
+      free_from = middle + half;
+    }
+  }
   return fmt::format("set {}tics {} noenhanced\n", name, listed.empty() ? "autofreq" : "(" + listed + ")");
 }
 
@@ -174,7 +187,7 @@ std::string csv_of(const Chart& chart) {
 }  // namespace
 
 std::string palette_colour(int index) {
-  constexpr std::array colours{"#d0583f", "#2f86c6", "#3f9444", "#9a6bc0", "#b0812a", "#26948f", "#cc5f98", "#8a7462"};
+  constexpr std::array colours{"#d55e00", "#0072b2", "#693cff", "#a55a3c", "#7878ff", "#3c96b4", "#0fa569", "#4ba52d"};
   return index < 0 ? "#808080" : colours[static_cast<std::size_t>(index) % colours.size()];
 }
 

@@ -49,7 +49,7 @@ struct Plot {
 Plot plot_of(const std::string& name, const Chart& chart);
 
 // "#c8553d" for the index of a series, taken modulo the palette's length; grey for a negative one. Each is readable on a white page
-// and on a dark one (contrast of 3 with both).
+// and on a dark one (contrast of 3 with both), and the first five differ for a reader who sees no red or no green, too.
 std::string palette_colour(int index);
 
 }  // namespace percal

@@ -80,7 +80,8 @@ class TemporaryFile {
     constexpr int most_attempts = 100;
     std::random_device random;
     for (int attempt = 0; file_.number() < 0; ++attempt) {
-      name_ = (folder / fmt::format("{}{:08x}{:08x}{}", temporary_prefix, random(), random(), temporary_suffix)).string();
+      name_ =
+          (folder / fmt::format("{}{:08x}{:08x}{}", temporary_prefix, random(), random(), temporary_suffix)).string();
       Descriptor file(::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
       if (file.number() < 0 && (errno != EEXIST || attempt == most_attempts)) {
         const int reason = errno;
@@ -197,8 +198,7 @@ std::string read_output(const std::string& path) {
     throw BadInput("a file name may not be empty or hold a zero byte");
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) {
-    if (errno == ENOENT || errno == ENOTDIR || errno == ELOOP || errno == ENAMETOOLONG)
-      throw BadInput(path + ": there is no such file");
+    if (errno == ENOENT || errno == ENOTDIR || errno == ELOOP || errno == ENAMETOOLONG) throw NoSuchFile(path);
     fail(path, "cannot read", errno);
   }
   struct stat status;

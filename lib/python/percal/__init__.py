@@ -8,8 +8,8 @@ small-strain shear moduli. Quantities in texts and dicts carry their unit: "1.2 
     print(fit.mu, fit.alpha, fit.intervals)
 
 Input that cannot be used raises ValueError, which names the place, what was found and what is accepted; a file that cannot be read
-or written raises OSError. Numerical outcomes (passed through, unstable) are values. Other Python threads run on while percal
-computes, and Ctrl-C ends a computation after the impact that is running.
+or written raises OSError, one that is not there FileNotFoundError. Numerical outcomes (passed through, unstable) are values. Other
+Python threads run on while percal computes, and Ctrl-C ends an impact within a second. Notebooks show results as pages.
 """
 
 from ._card import CardMaterial, card_curve, card_of, read_card, solvers, uniaxial_deck, write_card

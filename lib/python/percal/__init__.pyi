@@ -44,6 +44,7 @@ class Fit:
     r2: float | None
     converged: bool
     def __init__(self, result: dict[str, Any], points: dict[str, Any]) -> None: ...
+    def plot(self, ax: Any = None) -> Any: ...
     @property
     def region(self) -> dict[str, list[tuple[float, float]]]: ...
     @property
@@ -121,6 +122,7 @@ class Impact:
     warnings: list[str]
     history: dict[str, _Array]
     def __init__(self, result: dict[str, Any]) -> None: ...
+    def plot(self, ax: Any = None) -> Any: ...
 
 def impact(
     scene: Scene | Mapping[str, Any] | _Path,
@@ -176,6 +178,7 @@ class Hypothesis:
     findings: list[str]
     result: dict[str, Any]
     def __init__(self, entry: dict[str, Any]) -> None: ...
+    def plot(self, ax: Any = None) -> Any: ...
 
 class Calibration(_Result):
     hypotheses: list[Hypothesis]

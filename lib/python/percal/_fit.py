@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import _core
+from ._page import Paged, axes
 from ._shown import between, with_unit
 
 
@@ -47,7 +48,7 @@ class Minimum:
         return f"Minimum({terms}, R2 {r2}, objective {self.objective:.4g})"
 
 
-class Fit:
+class Fit(Paged):
     """A fitted solid. mu (Pa), alpha, terms, r2 and converged are those of the best minimum; mu is None where nothing fits."""
 
     def __init__(self, result, points):
@@ -116,6 +117,21 @@ class Fit:
                 raise ValueError(f'mode: found nothing; accepted: one of the modes of the points, {", ".join(modes)}')
             mode = modes[0]
         return nominal_stress(self.terms, stretch, mode, across)
+
+    def plot(self, ax=None):
+        """Points and curves of each mode, in kPa: matplotlib's axes, made where ax is None. ImportError where there is no matplotlib."""
+        ax = axes(ax)
+        for index, mode in enumerate(sorted(set(self.mode))):
+            here = np.array([one == mode for one in self.mode])
+            stretch, across = self.stretch[here], self.across[here]
+            order = np.argsort(stretch)
+            ax.plot(stretch, self.stress[here] / 1e3, "o", color=f"C{index}", label=mode)
+            if self.terms:
+                ax.plot(stretch[order], self.predict(stretch[order], mode, across[order]) / 1e3, "-", color=f"C{index}")
+        ax.set_xlabel("stretch")
+        ax.set_ylabel("nominal stress, kPa")
+        ax.legend()
+        return ax
 
     def __repr__(self):
         if not self.minima:

@@ -6,6 +6,7 @@ import os
 import numpy as np
 
 from . import _core
+from ._page import Paged, axes
 from ._shown import with_unit
 from ._toml import text_of
 
@@ -71,7 +72,7 @@ class Scene:
         )
 
 
-class Impact:
+class Impact(Paged):
     """What the runs of an impact say together, SI.
 
     outcome: stopped, passed through, time up or unstable; depth: mean of the runs, None unless all stopped; spread: sample standard
@@ -94,6 +95,16 @@ class Impact:
         self.left_out = [f"{one['what']}: {one['why']}" for one in result["left_out"]]
         self.warnings = result["findings"]
         self.history = _columns(result["history"])
+
+    def plot(self, ax=None):
+        """Depth over time of the middle run: matplotlib's axes, made where ax is None. ImportError where there is no matplotlib."""
+        if not self.history:
+            raise ValueError("plot: found no history; accepted: an impact with history=True")
+        ax = axes(ax)
+        ax.plot(self.history["time_s"] * 1e3, self.history["tip_m"] * 1e3)
+        ax.set_xlabel("time, ms")
+        ax.set_ylabel("depth, mm")
+        return ax
 
     def __repr__(self):
         text = self.outcome

@@ -10,15 +10,21 @@ from . import _core
 from ._card import CardMaterial
 from ._fit import interval_of
 from ._impact import Scene
+from ._page import Paged, axes
 from ._shown import between, with_unit
 from ._toml import text_of
 
 
-class _Result(Mapping):
+class _Result(Paged, Mapping):
     """A result.json as a read-only dict."""
 
     def __init__(self, result):
         self._result = result
+
+    @property
+    def result(self):
+        """The dict itself."""
+        return self._result
 
     def __getitem__(self, key):
         return self._result[key]
@@ -119,6 +125,19 @@ class Hypothesis:
         self.ridges = [Ridge(one) for one in entry["ridges"]]
         self.findings = entry["findings"]
         self.result = entry
+
+    def plot(self, ax=None):
+        """The model's depths against the measured ones, mm, with the interval of one shot: matplotlib's axes, made where ax is None.
+        ImportError where there is no matplotlib."""
+        ax = axes(ax)
+        measured, depth = self.shots["measured_m"] * 1e3, self.shots["depth_m"] * 1e3
+        bars = np.abs(np.array([self.shots["low_m"], self.shots["high_m"]]) * 1e3 - depth)
+        ax.errorbar(measured, depth, yerr=bars, fmt="o")
+        ends = [np.nanmin(measured), np.nanmax(measured)]
+        ax.plot(ends, ends, "--", color="grey")
+        ax.set_xlabel("measured depth, mm")
+        ax.set_ylabel("model, mm")
+        return ax
 
     def __repr__(self):
         parts = []

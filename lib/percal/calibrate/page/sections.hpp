@@ -39,8 +39,14 @@ struct FittedDepths {
   double deviation = 0;       // mean size
 };
 FittedDepths fitted_depths(const Json& hypothesis);
+const Json& datum_of(const Json& result, const Json& entry);  // the shot of the data that a hypothesis' entry is of
+double measured_depth(const Json& shot);                      // the depth, or the least depth
+std::vector<std::string> each_once(const Json& shots, const char* key);  // a key's words, in the order of the shots
 void add_shots(Section& section, const Json& result, const Json& hypothesis, int number);
 Section depths_section(const Json& result);
+
+// --- speeds.cpp: depth over speed ----------------------------------------------------------------------------------
+void add_speeds(Section& section, const Json& result, const Json& hypothesis, int number);
 
 // --- predictions.cpp: deviations of sets and of what the fit did not see; Dehn's closed form beside them -------------
 Json predictions_to_json(const CalibrationJob& job, const std::vector<Deviation>& sets,

@@ -59,9 +59,6 @@ Json shots_to_json(const CalibrationJob& job, const std::vector<ShotDepth>& dept
 
 // --- the page -------------------------------------------------------------------------------------------------------
 
-namespace {
-
-// The shot of the data that an entry of a hypothesis belongs to.
 const Json& datum_of(const Json& result, const Json& entry) {
   static const Json nothing = nullptr;
   const Json& shots = list(at(result, "data"), "shots");
@@ -69,14 +66,8 @@ const Json& datum_of(const Json& result, const Json& entry) {
   return index >= 0 && index < static_cast<double>(shots.size()) ? shots[static_cast<std::size_t>(index)] : nothing;
 }
 
-// What was measured: the depth, or the least depth.
 double measured_depth(const Json& shot) {
   return number(shot, "measured_m").value_or(number_or(shot, "measured_at_least_m", nowhere));
-}
-
-double impact_parameter(const Json& datum) {
-  return number_or(datum, "density_kg_m3", nowhere) * number_or(datum, "speed_m_s", nowhere) *
-         number_or(datum, "radius_m", nowhere);
 }
 
 std::vector<std::string> each_once(const Json& shots, const char* key) {
@@ -85,6 +76,13 @@ std::vector<std::string> each_once(const Json& shots, const char* key) {
     if (const std::string word = text(shot, key); std::find(all.begin(), all.end(), word) == all.end())
       all.push_back(word);
   return all;
+}
+
+namespace {
+
+double impact_parameter(const Json& datum) {
+  return number_or(datum, "density_kg_m3", nowhere) * number_or(datum, "speed_m_s", nowhere) *
+         number_or(datum, "radius_m", nowhere);
 }
 
 std::string measured_words(const Json& shot) {
@@ -195,6 +193,7 @@ FittedDepths fitted_depths(const Json& hypothesis) {
 }
 
 void add_shots(Section& section, const Json& result, const Json& hypothesis, int number_of_hypothesis) {
+  add_speeds(section, result, hypothesis, number_of_hypothesis);
   add(section, depths_figure(result, hypothesis, number_of_hypothesis));
   add(section, depth_table(result, hypothesis));
 }
