@@ -58,12 +58,12 @@ class ACalibration(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "runs"):
             percal.calibrate(JOB, store=self.store, threads=1, announce=refuse)
 
-    def test_that_cannot_be_read_is_a_value_error(self):
-        with self.assertRaisesRegex(ValueError, "nowhere.toml"):
+    def test_a_missing_file_is_an_os_error_and_a_bad_word_a_value_error(self):
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
             percal.calibrate("nowhere.toml", store=self.store)
         with self.assertRaisesRegex(ValueError, "budget: found '5 m'"):
             percal.calibrate(JOB, budget="5 m", store=self.store)
-        with self.assertRaisesRegex(ValueError, "nowhere.toml"):
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
             percal.identify("nowhere.toml", store=self.store)
 
 
