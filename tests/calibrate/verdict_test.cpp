@@ -66,6 +66,18 @@ TEST_F(Verdicts, ASlowCurveBesideFastShotsContradictsThemUntilItsRateFactorIsSai
   EXPECT_EQ(verdict().agreement, DataAgreement::agrees);
 }
 
+// Between the job's level and 99.9 %: said, but no contradiction.
+TEST_F(Verdicts, AModerateMisfitIsADoubt) {
+  add_curve(1);
+  const double usual = verdict().rate_factors.at(0).implied.interval.high;
+  job_.curves[0].rate_factor = 1.02 * usual;
+  const Verdict found = verdict();
+  EXPECT_EQ(found.agreement, DataAgreement::cannot_tell) << found.sentences[0];
+  EXPECT_THAT(found.sentences[0], HasSubstr("hardly agree"));
+  job_.curves[0].rate_factor = 5 * usual;
+  EXPECT_EQ(verdict().agreement, DataAgreement::disagrees);
+}
+
 TEST_F(Verdicts, AnUncertainRateFactorIsContradictedLess) {
   add_curve(10);
   job_.curves[0].rate_factor = 5;

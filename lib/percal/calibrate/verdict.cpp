@@ -70,12 +70,14 @@ const Interval* interval_of(const JobFit& fit, const std::vector<ProfileInterval
   return nullptr;
 }
 
-DataAgreement agreement_of(const ImpliedRateFactor& rate, double level) {
+// Whether the job's factor, with its own error, reaches into an interval of that level.
+bool reaches(const ImpliedRateFactor& rate, const Interval& implied, double level) {
   const double reach = std::exp(normal_quantile(0.5 + level / 2) * rate.given_error);
-  const Interval& implied = rate.implied.interval;
-  if (rate.given * reach < implied.low || rate.given / reach > implied.high) return DataAgreement::disagrees;
-  const bool vague = implied.low_open || implied.high_open || implied.high > hopeless_factor * implied.low;
-  return vague ? DataAgreement::cannot_tell : DataAgreement::agrees;
+  return rate.given * reach >= implied.low && rate.given / reach <= implied.high;
+}
+
+bool is_vague(const Interval& implied) {
+  return implied.low_open || implied.high_open || implied.high > hopeless_factor * implied.low;
 }
 
 ImpliedRateFactor rate_factor(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
@@ -85,13 +87,17 @@ ImpliedRateFactor rate_factor(const CalibrationJob& job, int hypothesis, const J
   const JobModel freed = with_free_rate_factor(job, model, material);
   const auto factor = static_cast<int>(model.parameters.size());
   const JobFit joined = fit_job(job, freed, fit.shots, quick_search());
-  const auto intervals = region_intervals(joined.problem, joined.minima, job.level, quick_search());
-  rate.implied.value = rate.given * std::exp(joined.at[factor]);
-  if (const Interval* found = interval_of(joined, intervals, factor)) {
-    rate.implied.interval = *found;
-    rate.implied.interval.low *= rate.given;
-    rate.implied.interval.high *= rate.given;
-  }
+  const auto intervals_at = [&](double level) {
+    return region_intervals(joined.problem, joined.minima, level, quick_search());
+  };
+  const auto implied = [&](const std::vector<ProfileInterval>& intervals) {
+    Interval interval = *interval_of(joined, intervals, factor);
+    interval.low *= rate.given;
+    interval.high *= rate.given;
+    return interval;
+  };
+  const auto intervals = intervals_at(job.level);
+  rate.implied = {rate.given * std::exp(joined.at[factor]), implied(intervals)};
   const auto natural = natural_values(job, job.hypotheses[hypothesis], model.of_job, joined.at.head(factor));
   const double mu = material_at(job, job.hypotheses[hypothesis], material, natural).mu_as_given;
   rate.modulus_of_depths = {mu, {mu, mu}};
@@ -100,7 +106,10 @@ ImpliedRateFactor rate_factor(const CalibrationJob& job, int hypothesis, const J
     for (int k = 0; k < factor; ++k)
       if (model.of_job[k] == shared->index)
         if (const Interval* found = interval_of(joined, intervals, k)) rate.modulus_of_depths.interval = *found;
-  rate.agreement = agreement_of(rate, job.level);
+  if (reaches(rate, rate.implied.interval, job.level))
+    rate.agreement = is_vague(rate.implied.interval) ? DataAgreement::cannot_tell : DataAgreement::agrees;
+  else if (!reaches(rate, implied(intervals_at(level_of_contradiction)), level_of_contradiction))
+    rate.agreement = DataAgreement::disagrees;
   return rate;
 }
 
@@ -126,6 +135,13 @@ std::string in_words(const CalibrationJob& job, const ImpliedRateFactor& rate) {
         "{}: the depths alone want a mu of {}, the curve {}. A rate factor of {} would join them; the job has {}.",
         material, pressures(rate.modulus_of_depths.interval), page::pressure(rate.modulus_of_curves, 3), implied,
         given);
+  if (rate.agreement == DataAgreement::cannot_tell && !reaches(rate, rate.implied.interval, job.level))
+    return fmt::format(
+        "{}: depths and curve hardly agree: the depths alone want a mu of {}, the curve {}, and a rate factor of {} "
+        "would join "
+        "them where the job has {}. That is doubt, no proof: {} intervals miss so far now and then.",
+        material, pressures(rate.modulus_of_depths.interval), page::pressure(rate.modulus_of_curves, 3), implied, given,
+        page::percent(job.level));
   if (rate.agreement == DataAgreement::cannot_tell)
     return fmt::format("{}: any rate factor of {} would join depths and curve, so they cannot tell the job's {}.",
                        material, implied, given);

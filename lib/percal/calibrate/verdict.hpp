@@ -6,6 +6,8 @@
 
 namespace percal {
 
+// Data contradict each other where an interval of this level says so: one in twenty of the usual ones does by chance.
+inline constexpr double level_of_contradiction = 0.999;
 // A scatter about the model above this is none that shots or curves have: the model does not describe them.
 inline constexpr double most_scatter = 0.4;
 // Engineering. Soft gels and skin have torn before four times their length.
