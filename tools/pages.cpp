@@ -8,6 +8,7 @@
 #include "colour.hpp"
 #include "percal/base/error.hpp"
 #include "percal/base/version.hpp"
+#include "percal/scene/document_kind.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
 #include "percal/text/json.hpp"
@@ -16,6 +17,11 @@
 namespace percal::tools {
 
 using page::Json;
+
+void refuse_document(const std::string& file, const std::string& accepted) {
+  if (!file.ends_with(".toml")) return;
+  if (const auto kind = document_in_words(read_file(file))) throw BadInput({file, 0, ""}, *kind, accepted);
+}
 
 page::ReadResult read_result(const std::string& path) {
   std::error_code none;

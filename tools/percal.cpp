@@ -19,7 +19,6 @@
 #include "percal/base/inputs.hpp"
 #include "percal/base/printable.hpp"
 #include "percal/base/threads.hpp"
-#include "percal/scene/document_kind.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
@@ -35,11 +34,6 @@ double positive_quantity(const std::string& text, const std::string& option, con
     throw BadInput(place, in_quotes(text) + " (" + error.what() + ")", accepted);
   }
   throw BadInput(place, in_quotes(text), accepted);
-}
-
-void refuse_document(const std::string& file, const std::string& accepted) {
-  if (!file.ends_with(".toml")) return;
-  if (const auto kind = document_in_words(read_file(file))) throw BadInput({file, 0, ""}, *kind, accepted);
 }
 
 std::string folder_named(const std::string& first_input, const Common& common) {

@@ -52,5 +52,5 @@ FAULTS = [
     Fault("cards write mu where the program wants 2 mu/alpha", "lib/percal/card/card_material.cpp",
           "case CardModulus::two_mu_over_alpha: return 2 * term.mu / term.alpha;", "case CardModulus::two_mu_over_alpha: return term.mu;", ("card",)),
     Fault("the implied rate factor works the wrong way", "lib/percal/calibrate/verdict.cpp",
-          "rate.implied.value = rate.given * std::exp(joined.at[factor]);", "rate.implied.value = rate.given * std::exp(-joined.at[factor]);", ("calibrate",)),
+          "rate.implied = {rate.given * std::exp(joined.at[factor])", "rate.implied = {rate.given * std::exp(-joined.at[factor])", ("calibrate",)),
 ]
