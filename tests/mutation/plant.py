@@ -59,6 +59,7 @@ def main():
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--only", default="", help="faults whose name has these words")
     options = parser.parse_args()
+    options.source = options.source.resolve()
     if wrong := misplaced(options.source):
         sys.exit("no place for a fault:\n" + "\n".join(wrong))
     if options.check:
