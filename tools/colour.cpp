@@ -1,7 +1,6 @@
 #include "colour.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -27,11 +26,5 @@ bool has_colour(std::FILE* stream) {
 std::string red(const std::string& text, std::FILE* stream) { return shown("31", text, stream); }
 
 void print(const std::string& text, std::FILE* stream) { fmt::print(stream, "{}", printable(text)); }
-
-int terminal_columns() {
-  winsize size{};
-  if (isatty(STDOUT_FILENO) != 1 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
-  return size.ws_col;
-}
 
 }  // namespace percal::tools

@@ -15,7 +15,4 @@ std::string red(const std::string& text, std::FILE* stream = stdout);  // errors
 // where the stream cannot be written.
 void print(const std::string& text, std::FILE* stream = stdout);
 
-// Columns of the terminal that standard output is; 0 where it is none.
-int terminal_columns();
-
 }  // namespace percal::tools

@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -11,6 +12,7 @@
 #include "colour.hpp"
 #include "help.hpp"
 #include "options.hpp"
+#include "percal/base/printable.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/version.hpp"
 #include "percal/units/words.hpp"
@@ -138,7 +140,8 @@ Exit print_help(const CLI::App& program, const std::vector<std::string>& words) 
   // An App's own help is that of the command which the command line chose, here this one.
   const auto formatter = command->get_formatter();
   const std::string name = before.empty() ? command->get_name() : before + " " + command->get_name();
-  fmt::print("{}", fitted_help(formatter->make_help(command, name, CLI::AppFormatMode::Normal), terminal_columns()));
+  fmt::print("{}", fitted_help(formatter->make_help(command, name, CLI::AppFormatMode::Normal),
+                               terminal_columns(STDOUT_FILENO)));
   return Exit::done;
 }
 
@@ -154,7 +157,7 @@ Exit run_command_line(int argc, char** argv, void (*before_impacts)()) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", fitted_help(app.help(), terminal_columns()));
+    fmt::print("{}", fitted_help(app.help(), terminal_columns(STDOUT_FILENO)));
     return Exit::done;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --version

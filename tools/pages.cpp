@@ -1,12 +1,14 @@
 #include "pages.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "colour.hpp"
 #include "percal/base/error.hpp"
+#include "percal/base/printable.hpp"
 #include "percal/base/version.hpp"
 #include "percal/scene/document_kind.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -65,7 +67,7 @@ Exit say_valid(const std::string& words, Json answer, const Common& common, cons
 }
 
 page::TextStyle terminal_style(page::Detail detail) {
-  return {.columns = terminal_columns(), .colour = has_colour(stdout), .detail = detail};
+  return {.columns = terminal_columns(STDOUT_FILENO), .colour = has_colour(stdout), .detail = detail};
 }
 
 }  // namespace percal::tools

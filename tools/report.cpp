@@ -1,15 +1,12 @@
 // percal report RESULT: a result as a page; two results side by side.
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 
 #include "colour.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
+#include "percal/base/child_process.hpp"
 #include "percal/page/html.hpp"
 #include "percal/text/file.hpp"
 
@@ -26,19 +23,9 @@ std::string page_file(const ReportArguments& arguments, const std::string& resul
 void open_page(const std::string& file) {
   std::string program = "xdg-open", page = std::filesystem::absolute(file).string();
   char* words[] = {program.data(), page.data(), nullptr};
-  posix_spawnattr_t attributes;  // signals reach it, though this program may block them
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  pid_t child = 0;
-  int status = 0;
-  const int started = posix_spawnp(&child, words[0], nullptr, &attributes, words, environ);
-  posix_spawnattr_destroy(&attributes);
-  if (started != 0) throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
-  if (waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw IoFailure("--open: xdg-open failed: open " + file + " in a browser");
+  const auto child = start_program(words);
+  if (!child) throw IoFailure("--open: there is no xdg-open here: open " + file + " in a browser");
+  if (!ends_well(*child)) throw IoFailure("--open: xdg-open failed: open " + file + " in a browser");
 }
 
 void say_written(const ReportArguments& arguments, const std::string& file, const page::Page& page,

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
+#include "fit/fit_runs.hpp"
 #include "percal/text/csv.hpp"
-#include "support/program.hpp"
 #include "support/synthetic_curves.hpp"
 
 namespace percal {
@@ -17,12 +17,8 @@ using testing::HasSubstr;
 
 const std::string treloar_csv_file = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
 
-class CurveLayouts : public test::Program {
+class CurveLayouts : public test::FitRuns {
  protected:
-  Ended fit(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "fit");
-    return run(arguments);
-  }
   json fitted(std::vector<std::string> arguments) const {
     for (const char* last : {"--json", "--no-intervals", "--out", "none"}) arguments.push_back(last);
     const Ended run = fit(arguments);

@@ -1,7 +1,7 @@
 // percal fit as a user runs it.
 #include <gmock/gmock.h>
 
-#include "support/program.hpp"
+#include "fit/fit_runs.hpp"
 
 namespace percal {
 namespace {
@@ -13,13 +13,7 @@ using testing::HasSubstr;
 
 const std::string treloar_csv = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
 
-class FitProgram : public test::Program {
- protected:
-  Ended fit(std::vector<std::string> arguments, const std::function<void()>& in_child = {}) const {
-    arguments.insert(arguments.begin(), "fit");
-    return run(arguments, in_child);
-  }
-};
+class FitProgram : public test::FitRuns {};
 
 std::string public_file(const std::string& name) { return std::string(PERCAL_DATA "/public/") + name; }
 

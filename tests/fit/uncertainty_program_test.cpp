@@ -3,8 +3,8 @@
 
 #include <set>
 
+#include "fit/fit_runs.hpp"
 #include "percal/text/file.hpp"
-#include "support/program.hpp"
 
 namespace percal {
 namespace {
@@ -18,12 +18,8 @@ const std::string slow = PERCAL_DATA "/synthetic/gelatin_12wt_quasistatic.csv";
 const std::string fast = PERCAL_DATA "/synthetic/gelatin_12wt_highrate.csv";
 const std::string treloar_file = PERCAL_DATA "/public/treloar1944_rubber_primary.csv";
 
-class UncertaintyProgram : public test::Program {
+class UncertaintyProgram : public test::FitRuns {
  protected:
-  Ended fit(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), "fit");
-    return run(arguments);
-  }
   json parsed(std::vector<std::string> arguments) const {
     arguments.push_back("--json");
     const Ended ended = fit(arguments);

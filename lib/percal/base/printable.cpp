@@ -1,5 +1,8 @@
 #include "percal/base/printable.hpp"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 namespace percal {
 namespace {
 
@@ -54,6 +57,12 @@ std::string printable(std::string_view text) {
       at += add_printable(text, at, shown);
   }
   return shown;
+}
+
+int terminal_columns(int descriptor) {
+  winsize size{};
+  if (isatty(descriptor) != 1 || ioctl(descriptor, TIOCGWINSZ, &size) != 0) return 0;
+  return size.ws_col;
 }
 
 }  // namespace percal

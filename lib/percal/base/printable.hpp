@@ -1,4 +1,4 @@
-// Text that a terminal shows as it stands: names come from files, and files from anybody.
+// What a terminal shows: text as it stands, since names come from files, and files from anybody; and how wide it is.
 #pragma once
 #include <string>
 #include <string_view>
@@ -12,5 +12,8 @@ std::string printable(std::string_view text);
 // Adds the character of `text` that begins at `at` to `shown`, as \xNN where it is a control character or broken, and returns its
 // bytes.
 std::size_t add_printable(std::string_view text, std::size_t at, std::string& shown);
+
+// Columns of the terminal that a descriptor is; 0 where it is none.
+int terminal_columns(int descriptor);
 
 }  // namespace percal

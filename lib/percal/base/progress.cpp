@@ -1,7 +1,6 @@
 #include "percal/base/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,9 +20,9 @@ constexpr std::chrono::minutes between_lines{1};
 
 bool on_terminal() { return isatty(STDERR_FILENO) == 1; }
 
-int columns_of_terminal() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_columns;
+int columns_to_use() {
+  const int columns = terminal_columns(STDERR_FILENO);
+  return columns > 0 ? columns : usual_columns;
 }
 
 double share_of(long done, long total) {
@@ -85,8 +84,7 @@ void Progress::say(Clock::time_point now) {
   if (deadline_) left = std::clamp(std::chrono::duration<double>(*deadline_ - now).count(), 0.0, left);
   const long seconds = static_cast<long>(left + 0.5);
   if (on_terminal())
-    std::fprintf(stderr, "\r\033[K%s",
-                 progress_line(label_, done_, total_, seconds, columns_of_terminal() - 1).c_str());
+    std::fprintf(stderr, "\r\033[K%s", progress_line(label_, done_, total_, seconds, columns_to_use() - 1).c_str());
   else
     std::fprintf(stderr, "%s  %ld/%ld  %ld:%02ld left\n", label_.c_str(), done_, total_, seconds / 60, seconds % 60);
   std::fflush(stderr);

@@ -77,14 +77,12 @@ std::string why_enough(const CalibrationJob& job, const Training& training, doub
 // learns from them, and says true.
 bool best_points_hold(const CalibrationJob& job, const FittedHypotheses& fitted, Training& training, Campaign& campaign,
                       const CalibrationLimits& limits, const Announce& announce) {
-  const std::vector<Problem> problems = single_fresh_problems(job, fitted);
-  const auto deadline = limits.deadline(share_for_training);
-  Progress progress("runs at the best points", static_cast<long>(problems.size()), deadline);
-  const auto runs = campaign.evaluate_by(deadline, problems, &progress);
-  const double worst = spread_of_single_runs(job, fitted, training.emulator(), runs);
-  announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it", worst));
-  if (worst <= trusted_spread) return true;
-  training.add_runs(problems, runs);
+  const SingleFreshRuns runs =
+      single_fresh_runs(job, fitted, training.emulator(), campaign, limits.deadline(share_for_training));
+  announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
+                       runs.worst_spread));
+  if (runs.worst_spread <= trusted_spread) return true;
+  training.add_runs(runs.problems, runs.evaluations);
   return false;
 }
 

@@ -107,16 +107,16 @@ ErrorBudget error_budget(const CalibrationJob& job, const JobModel& model, const
   return budget;
 }
 
-namespace {
-
-std::optional<Interval> profile_of(const JobModel& model, const JobFit& fit, const MaterialNumber& number,
-                                   const std::vector<ProfileInterval>& profiles) {
+std::optional<Interval> interval_of(const JobModel& model, const JobFit& fit, const MaterialNumber& number,
+                                    const std::vector<ProfileInterval>& profiles) {
   const auto* shared = std::get_if<SharedParameter>(&number);
   if (!shared) return std::nullopt;
   for (const ProfileInterval& profile : profiles)
     if (model.of_job[fit.of_model[profile.parameter]] == shared->index) return profile.interval;
   return std::nullopt;
 }
+
+namespace {
 
 // Widened by what the number has besides, in squares of the logarithms, on each side of its own.
 Estimate widened(const Estimate& of, double ratio, double own_error, double quantile) {
@@ -182,7 +182,7 @@ std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Hyp
     const double mu1 = modulus_as_given(at.mu_true, at.alpha, ModulusConvention::mu_over_alpha);
     moduli.mu_true = estimate_of(at.mu_true, true_error, quantile);
     moduli.mu_over_alpha = estimate_of(mu1, mu1_error, quantile);
-    if (const auto profile = profile_of(model, fit, m.mu, profiles)) {
+    if (const auto profile = interval_of(model, fit, m.mu, profiles)) {
       const bool is_mu1 = hypothesis.convention == ModulusConvention::mu_over_alpha;
       (is_mu1 ? moduli.mu_over_alpha : moduli.mu_true).interval = *profile;
     }

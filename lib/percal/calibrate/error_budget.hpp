@@ -18,6 +18,10 @@ struct LogQuantity {
 ErrorBudget error_budget(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
                          const LogQuantity& quantity, const Eigen::VectorXd& mesh_shift);
 
+// The interval of a material's number that the fit has among its parameters.
+std::optional<Interval> interval_of(const JobModel& model, const JobFit& fit, const MaterialNumber& number,
+                                    const std::vector<ProfileInterval>& profiles);
+
 // Moduli of every material that the fit moves, and of the fixed ones. The interval of a modulus that is itself a fitted parameter is
 // its profile's; those of numbers derived from several parameters are linearised.
 std::vector<MaterialModuli> material_moduli(const CalibrationJob& job, const Hypothesis& hypothesis,

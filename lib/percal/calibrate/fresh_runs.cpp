@@ -37,16 +37,6 @@ std::vector<Expected> expected(const CalibrationJob& job, const FittedHypotheses
 
 double noise_of(const CalibrationJob& job, const Emulator& emulator) { return emulator.noise(1 / job.training.verify); }
 
-double standardised(double log_depth, const Expected& shot, double noise, std::size_t runs) {
-  return (log_depth - shot.log_depth) / std::sqrt(shot.variance + noise * noise / static_cast<double>(runs));
-}
-
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot, double noise,
                                 const std::vector<std::optional<Evaluation>>& runs) {
   FreshRun fresh{.shot = shot.shot,
@@ -67,37 +57,38 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
   if (fresh.runs == 0) return std::nullopt;
   if (static_cast<int>(depths.size()) == fresh.runs) {
     fresh.depth = mean(depths);
-    fresh.standardised = standardised(std::log(*fresh.depth), shot, noise, depths.size());
+    fresh.standardised =
+        (std::log(*fresh.depth) - shot.log_depth) / std::sqrt(shot.variance + noise * noise / fresh.runs);
   }
   return fresh;
 }
 
 }  // namespace
 
-std::vector<Problem> single_fresh_problems(const CalibrationJob& job, const FittedHypotheses& fitted) {
-  std::vector<Problem> problems;
-  for (std::size_t k = 0; k < fitted.fits.size(); ++k)
-    for (Expected& shot : expected(job, fitted, k)) {
-      const double mesh = shot.problem.elements_per_radius;
-      shot.problem.elements_per_radius = drawn_mesh(mesh, job.training.seed, static_cast<int>(problems.size()));
-      problems.push_back(std::move(shot.problem));
-    }
-  return problems;
-}
-
-double spread_of_single_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
-                             const std::vector<std::optional<Evaluation>>& runs) {
-  const double noise = noise_of(job, emulator);
-  double worst = 0;
-  std::size_t i = 0;
+SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
+                                  Campaign& campaign, const Campaign::Deadline& deadline) {
+  SingleFreshRuns runs;
+  std::vector<std::vector<Expected>> shots;
   for (std::size_t k = 0; k < fitted.fits.size(); ++k) {
-    std::vector<double> off;
-    for (const Expected& shot : expected(job, fitted, k))
-      if (const auto& run = runs[i++]; run && run->result.outcome == Outcome::stopped)
-        off.push_back(standardised(std::log(run->result.depth * job.shots[shot.shot].radius), shot, noise, 1));
-    worst = std::max(worst, root_mean_square(off));
+    shots.push_back(expected(job, fitted, k));
+    for (const Expected& shot : shots.back()) {
+      const double mesh = shot.problem.elements_per_radius;
+      runs.problems.push_back(shot.problem);
+      runs.problems.back().elements_per_radius =
+          drawn_mesh(mesh, job.training.seed, static_cast<int>(runs.problems.size()) - 1);
+    }
   }
-  return worst;
+  Progress progress("runs at the best points", static_cast<long>(runs.problems.size()), deadline);
+  runs.evaluations = campaign.evaluate_by(deadline, runs.problems, &progress);
+  const double noise = noise_of(job, emulator);
+  std::size_t i = 0;
+  for (const auto& of_hypothesis : shots) {
+    std::vector<FreshRun> fresh;
+    for (const Expected& shot : of_hypothesis)
+      if (auto found = summary(job, shot, noise, {runs.evaluations[i++]})) fresh.push_back(std::move(*found));
+    runs.worst_spread = std::max(runs.worst_spread, spread(fresh));
+  }
+  return runs;
 }
 
 std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted,
@@ -131,10 +122,14 @@ std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const F
 }
 
 double spread(const std::vector<FreshRun>& runs) {
-  std::vector<double> off;
-  for (const FreshRun& run : runs)
-    if (run.depth) off.push_back(run.standardised);
-  return root_mean_square(off);
+  double sum = 0;
+  int count = 0;
+  for (const FreshRun& run : runs) {
+    if (!run.depth) continue;
+    sum += run.standardised * run.standardised;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(sum / count) : 0;
 }
 
 }  // namespace percal

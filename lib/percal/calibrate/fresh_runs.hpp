@@ -15,13 +15,14 @@ struct FittedHypotheses {
 };
 
 // The fitted shots of all hypotheses at their best points on the verifying mesh, one run each at a phase drawn by the job's seed: to
-// learn from.
-std::vector<Problem> single_fresh_problems(const CalibrationJob& job, const FittedHypotheses& fitted);
-
-// The root mean square of (ln depth - ln emulated) over the emulator's stated error, noise included, of such runs, under the hypothesis
-// where it is largest: 1 where that error is right. 0 without a run that stopped.
-double spread_of_single_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
-                             const std::vector<std::optional<Evaluation>>& runs);
+// check the emulator by, and to learn from. No evaluation where a run would not be done by the deadline.
+struct SingleFreshRuns {
+  std::vector<Problem> problems;
+  std::vector<std::optional<Evaluation>> evaluations;
+  double worst_spread = 0;  // under the hypothesis where spread() is largest
+};
+SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
+                                  Campaign& campaign, const Campaign::Deadline& deadline);
 
 // The same shots with their replicates over the mesh phase: [hypothesis][fitted shot]. Before the deadline every shot gets its first
 // replicate before any gets a second; shots that got none are left out.
@@ -29,7 +30,8 @@ std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const F
                                               const Emulator& emulator, Campaign& campaign,
                                               const Campaign::Deadline& deadline);
 
-// The same of one hypothesis.
+// The root mean square of (ln depth - ln emulated) over the emulator's stated error, noise included: 1 where that error is right. 0
+// without a run that stopped.
 double spread(const std::vector<FreshRun>& runs);
 
 // Above it the emulator's stated error is taken to be too small; some 25 runs scatter about 1 by 0.14.

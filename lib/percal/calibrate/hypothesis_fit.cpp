@@ -103,8 +103,9 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   result.findings = hypothesis_findings(job, fit, result);
   std::vector<std::string> left_out;
   const auto in_time = [&](const char* what) {
-    if (limits.spent(share_for_reading)) left_out.push_back(what);
-    return !limits.spent(share_for_reading);
+    const bool late = limits.spent(share_for_reading);
+    if (late) left_out.push_back(what);
+    return !late;
   };
   if (in_time("cross-validation")) add_predictions(job, hypothesis, model, fit, result);
   if (job.bootstrap > 0 && in_time("bootstrap"))

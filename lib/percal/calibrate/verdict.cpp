@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/calibrate/error_budget.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/math/distributions.hpp"
 #include "percal/page/numbers.hpp"
@@ -25,12 +26,16 @@ bool has_fitted_depths(const CalibrationJob& job, const JobFit& fit, int materia
   return std::ranges::any_of(fit.shots, [&](int i) { return job.shots[i].material == material; });
 }
 
+// The number that the job's parameters have beside them while a rate factor is free.
+SharedParameter free_rate_factor(const CalibrationJob& job) { return {static_cast<int>(job.parameters.size())}; }
+
 // The model with one more parameter, the factor by which a material's curves are softer than the job says. What the job knows of their
 // rate factor is left out.
 JobModel with_free_rate_factor(const CalibrationJob& job, const JobModel& model, int material) {
   JobModel freed = model;
   freed.parameters.push_back(
       {.name = "rate factor", .unit = "", .low = 1 / widest_rate_factor, .high = widest_rate_factor});
+  freed.of_job.push_back(free_rate_factor(job).index);
   const Index own = static_cast<Index>(model.parameters.size());
   freed.log_depths = [model, own](const VectorXd& searched, std::span<const MeasuredShot> shots, Want want) {
     ModelAnswer answer = model.log_depths(searched.head(own), shots, want);
@@ -63,13 +68,6 @@ JobModel with_free_rate_factor(const CalibrationJob& job, const JobModel& model,
   return freed;
 }
 
-// The factor's and the modulus's interval, among those of a fit.
-const Interval* interval_of(const JobFit& fit, const std::vector<ProfileInterval>& intervals, int of_model) {
-  for (const ProfileInterval& one : intervals)
-    if (fit.of_model[static_cast<std::size_t>(one.parameter)] == of_model) return &one.interval;
-  return nullptr;
-}
-
 // Whether the job's factor, with its own error, reaches into an interval of that level.
 bool reaches(const ImpliedRateFactor& rate, const Interval& implied, double level) {
   const double reach = std::exp(normal_quantile(0.5 + level / 2) * rate.given_error);
@@ -91,7 +89,7 @@ ImpliedRateFactor rate_factor(const CalibrationJob& job, int hypothesis, const J
     return region_intervals(joined.problem, joined.minima, level, quick_search());
   };
   const auto implied = [&](const std::vector<ProfileInterval>& intervals) {
-    Interval interval = *interval_of(joined, intervals, factor);
+    Interval interval = interval_of(freed, joined, free_rate_factor(job), intervals).value();
     interval.low *= rate.given;
     interval.high *= rate.given;
     return interval;
@@ -100,12 +98,9 @@ ImpliedRateFactor rate_factor(const CalibrationJob& job, int hypothesis, const J
   rate.implied = {rate.given * std::exp(joined.at[factor]), implied(intervals)};
   const auto natural = natural_values(job, job.hypotheses[hypothesis], model.of_job, joined.at.head(factor));
   const double mu = material_at(job, job.hypotheses[hypothesis], material, natural).mu_as_given;
-  rate.modulus_of_depths = {mu, {mu, mu}};
+  rate.modulus_of_depths = {
+      mu, interval_of(freed, joined, job.materials[material].mu, intervals).value_or(Interval{mu, mu})};
   rate.modulus_of_curves = mu / rate.implied.value;
-  if (const auto* shared = std::get_if<SharedParameter>(&job.materials[material].mu))
-    for (int k = 0; k < factor; ++k)
-      if (model.of_job[k] == shared->index)
-        if (const Interval* found = interval_of(joined, intervals, k)) rate.modulus_of_depths.interval = *found;
   if (reaches(rate, rate.implied.interval, job.level))
     rate.agreement = is_vague(rate.implied.interval) ? DataAgreement::cannot_tell : DataAgreement::agrees;
   else if (!reaches(rate, implied(intervals_at(level_of_contradiction)), level_of_contradiction))

@@ -6,16 +6,14 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 
+#include "percal/base/child_process.hpp"
 #include "percal/plot/svg.hpp"
-
-extern char** environ;
 
 namespace percal {
 namespace {
@@ -89,26 +87,15 @@ std::optional<std::string> gnuplot(const std::string& script) {
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, out.end(1), STDOUT_FILENO);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;  // signals reach it, though this program may block them
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   char name[] = "gnuplot";
   char* const words[] = {name, nullptr};
-  pid_t child = 0;
-  const int result = posix_spawnp(&child, name, &actions, &attributes, words, environ);
-  posix_spawnattr_destroy(&attributes);
+  const auto child = start_program(words, &actions);
   posix_spawn_file_actions_destroy(&actions);
   close(input);
-  if (result != 0) return std::nullopt;
+  if (!child) return std::nullopt;
   const auto text = take_all(out);
-  if (!text) kill(child, SIGKILL);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  const bool done = text && WIFEXITED(status) && WEXITSTATUS(status) == 0 && !text->empty();
+  if (!text) kill(*child, SIGKILL);
+  const bool done = ends_well(*child) && text && !text->empty();
   return done ? text : std::nullopt;
 }
 
