@@ -339,10 +339,10 @@ TEST(Reduce, AStiffLayerBelowCanMakeTheParticleElastic) {
 
 TEST(LeftOut, NamesOnlyWhatTheSceneDoesNotHave) {
   EXPECT_THAT(left_out_of(scene_of(thesis_square)),
-              ElementsAre("elastic particle", "rotation", "second half", "history", "rate dependence", "further layers",
-                          "rows at rest", "contact away from the particle", "double precision"));
+              ElementsAre("elastic particle", "rotation", "second half", "history", "radius of the channel",
+                          "what follows the deepest point", "rate dependence", "further layers", "rows at rest", "contact away from the particle", "double precision"));
   Scene all = everything(1e-3, 50, 1000);
-  all.output.history = true;
+  all.output = {.history = true, .after = RunUntil::rest, .channel = true};
   all.solver.arithmetic = Arithmetic::double_precision;
   EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "rows at rest", "contact away from the particle"));
 }
