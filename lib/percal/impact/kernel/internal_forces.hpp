@@ -59,6 +59,7 @@ class ColumnWalk {
       if constexpr (Solid::in_pairs)
         if (lives && j + 2 * lanes <= rows.end && is_live(j + lanes)) {
           take_group<Pair<Vector>>(j);
+          report_.groups += 2;
           j += 2 * lanes;
           continue;
         }
@@ -66,6 +67,7 @@ class ColumnWalk {
         take_group<Vector>(j);
       else
         close_nodes(j);
+      report_.groups += lives;
       j += lanes;
     }
     close_nodes(rows.end);

@@ -56,8 +56,8 @@ class Sweep {
   };
   // Which columns fall to which worker: those from parts[worker] to parts[worker + 1].
   using Parts = std::vector<int>;
-  Parts even_parts() const;
-  Parts parts_of(const NearCells& near) const;
+  // As even as may be, by what each column cost at its last sweep.
+  Parts parts_by(const std::vector<ColumnReport>& reports, const std::vector<ColumnReport>* more) const;
   int end_of_nodes(const Parts& parts, int worker) const;
   void far_column(int column, bool first, Seam* seam, const NearCells& near, int rows, double last_step);
   void near_column(int column, bool first, Seam* seam, const NearCells& near, double last_step);
@@ -75,10 +75,9 @@ class Sweep {
   const bool holds_axis_;  // the first column of nodes stands on an axis or a plane of symmetry
   const AveragedErosion<Real> averaged_;
   Team team_;
-  const Parts all_parts_;  // of the block
-  Parts near_parts_;       // of the near cells, each as much work as the others
   std::vector<Seam> far_seams_, near_seams_;  // of threads 1, 2, ...
   std::vector<ColumnReport> far_reports_, near_reports_;
+  Parts all_parts_, near_parts_;  // of the block, of its near cells
   Seam cell_inner_, cell_outer_, changed_inner_, changed_outer_, changed_before_;  // of settle()
   double watched_ = 1e30;
   std::vector<unsigned char> stiff_;  // of cells, column after column
