@@ -289,6 +289,9 @@ void add_features(Scene& scene, std::mt19937_64& random) {
   }
   if (coin()) scene.target.erosion = StressErosion{number(-60, 60)};
   if (coin()) scene.target.erosion = EnergyErosion{number(-60, 60)};
+  const std::size_t criterion = scene.target.erosion.index();
+  if ((criterion == 1 || criterion == 2) && coin()) scene.target.further_erosion.energy = number(-60, 60);
+  if (criterion == 1 && coin()) scene.target.erosion_by_size = SmallerThanCell{number(-20, 20), number(-10, 10)};
   if (coin())
     scene.target.relaxation = PronySeries{{{number(-20, -2), number(-60, 60)}, {number(-20, -2), number(-60, 60)}}};
   while (coin()) {

@@ -50,6 +50,12 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"eroded", &EnergyLedger::eroded, "eroded elements"},
     {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"}};
 
+// Elements by the criterion that took them out, where there are several. Those taken out for their distortion are in none.
+struct ErodedBy {
+  long strain = 0, stress = 0, energy = 0;
+  bool operator==(const ErodedBy&) const = default;
+};
+
 struct HistoryPoint {
   double time;               // radii over impact speed
   double tip;                // depth of the tip, radii
@@ -72,6 +78,7 @@ struct ImpactResult {
   double element_steps = 0;  // elements of the rows that were advanced, live and dead, times their steps
   long eroded = 0;
   long distorted = 0;  // of these: taken out because J or the step became too small, not by their strain
+  ErodedBy eroded_by;  // all 0 where one criterion decides
   double smallest_jacobian = 1;
   double smallest_step = 0;  // over the first
   EnergyLedger energy;

@@ -50,7 +50,7 @@ std::string energy_text(const EnergyLedger& energy) {
 
 std::string to_payload(const Evaluation& evaluation) {
   const ImpactResult& r = evaluation.result;
-  return object_text({{"outcome", value_text(word(r.outcome))},
+  Members members{{"outcome", value_text(word(r.outcome))},
                       {"reason", value_text(r.reason)},
                       {"depth", value_text(finite(r.depth))},
                       {"end_time", value_text(finite(r.end_time))},
@@ -68,7 +68,12 @@ std::string to_payload(const Evaluation& evaluation) {
                       {"energy", energy_text(r.energy)},
                       {"level", value_text(evaluation.instruction_level)},
                       {"wall_s", value_text(evaluation.wall_seconds)},
-                      {"cpu_s", value_text(evaluation.cpu_seconds)}});
+                      {"cpu_s", value_text(evaluation.cpu_seconds)}};
+  if (r.eroded_by != ErodedBy{})
+    members["eroded_by"] = object_text({{"strain", value_text(r.eroded_by.strain)},
+                                        {"stress", value_text(r.eroded_by.stress)},
+                                        {"energy", value_text(r.eroded_by.energy)}});
+  return object_text(members);
 }
 
 Evaluation from_payload(const std::string& payload) {
@@ -89,6 +94,8 @@ Evaluation from_payload(const std::string& payload) {
     r.element_steps = json.at("element_steps").get<double>();
     r.eroded = json.at("eroded").get<long>();
     r.distorted = json.at("distorted").get<long>();
+    if (const auto by = json.find("eroded_by"); by != json.end())
+      r.eroded_by = {by->at("strain").get<long>(), by->at("stress").get<long>(), by->at("energy").get<long>()};
     r.smallest_jacobian = number(json.at("smallest_jacobian"));
     r.smallest_step = number(json.at("smallest_step"));
     for (const EnergyTerm& term : energy_terms) r.energy.*term.share = number(json.at("energy").at(term.key));

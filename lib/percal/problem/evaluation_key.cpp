@@ -48,6 +48,20 @@ std::string below_text(const std::vector<LowerLayer>& below) {
   return " below=[" + layers + "]";
 }
 
+std::string limits_text(const FurtherErosion& further) {
+  std::string text;
+  if (further.stress) text += fmt::format("stress:{:.12g};", *further.stress);
+  if (further.energy) text += fmt::format("energy:{:.12g};", *further.energy);
+  return text;
+}
+
+std::string further_erosion_text(const Problem& p) {
+  if (p.further_erosion.is_empty()) return "";
+  std::string text = " further-erosion=[" + limits_text(p.further_erosion);
+  for (const LowerLayer& layer : p.below) text += "(" + limits_text(layer.further_erosion) + ")";
+  return text + "]";
+}
+
 std::string relaxation_text(const Relaxation& relaxation) {
   const auto* series = std::get_if<PronySeries>(&relaxation);
   if (!series) return "";
@@ -133,7 +147,7 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,
              p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor, p.end_time, p.speed_factor) +
-         choices_text(p) + below_text(p.below) + relaxation_text(p.relaxation);
+         choices_text(p) + below_text(p.below) + further_erosion_text(p) + relaxation_text(p.relaxation);
 }
 
 // Read without complaint, written again: what was not understood is missing from the second text.

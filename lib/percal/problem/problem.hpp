@@ -22,6 +22,7 @@ struct Problem {
   Particle particle = RigidSphere{};
   std::vector<LowerLayer> below;  // `depth` is then the first layer's thickness
   Erosion erosion = NoErosion{};
+  FurtherErosion further_erosion = {};
   ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
 

@@ -9,6 +9,7 @@
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/erosion_length.hpp"
+#include "percal/scene/erosion_size.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/width.hpp"
 
@@ -54,6 +55,14 @@ struct ReducedErosion {
   }
 };
 
+// Limits of stress and energy over `stress`, rho_t v^2 in Pa.
+FurtherErosion reduced_further(const FurtherErosion& further, double stress) {
+  const auto over = [stress](const std::optional<double>& limit) {
+    return limit ? std::optional(round_to_12_digits(*limit / stress)) : std::nullopt;
+  };
+  return {over(further.stress), over(further.energy)};
+}
+
 // The average where something erodes, in radii. Throws BadInput where the mesh is too coarse for it.
 ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
   const auto length = erosion_length(scene.target);
@@ -69,9 +78,12 @@ ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
 }
 
 // The limit of a layer below, as the first one's is meant.
-double lower_limit(const LowerLayerScene& layer, const Erosion& first, double stress) {
+double lower_limit(const LowerLayerScene& layer, const Scene& scene, double stress) {
+  const Erosion& first = scene.target.erosion;
   if (!layer.erosion_limit || std::holds_alternative<NoErosion>(first)) return std::numeric_limits<double>::infinity();
-  return round_to_12_digits(*layer.erosion_limit / (std::holds_alternative<StrainErosion>(first) ? 1 : stress));
+  if (std::holds_alternative<StrainErosion>(first))
+    return round_to_12_digits(strain_limit(*layer.erosion_limit, layer.erosion_by_size, scene.particle));
+  return round_to_12_digits(*layer.erosion_limit / stress);
 }
 
 std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reduction& reduction) {
@@ -85,7 +97,8 @@ std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reductio
     reduced.alpha = round_to_12_digits(layer.alpha);
     reduced.bulk_ratio =
         bulk_ratio(layer.volumetric, reduced.density / reduced.mu, layer.name, scene.solver, reduction);
-    reduced.erosion_limit = lower_limit(layer, scene.target.erosion, stress);
+    reduced.erosion_limit = lower_limit(layer, scene, stress);
+    reduced.further_erosion = reduced_further(layer.further_erosion, stress);
     below.push_back(reduced);
   }
   return below;
@@ -162,7 +175,8 @@ Reduction reduce(const Scene& scene) {
   p.geometry = scene.geometry;
   p.particle = reduced_particle(scene, p.density_ratio);
   p.below = layers_below(scene, stress, reduction);
-  p.erosion = std::visit(ReducedErosion{stress}, target.erosion);
+  p.erosion = std::visit(ReducedErosion{stress}, erosion_in_force(scene));
+  p.further_erosion = reduced_further(target.further_erosion, stress);
   p.erosion_average = reduced_average(scene, reduction);
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);

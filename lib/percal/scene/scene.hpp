@@ -48,6 +48,26 @@ struct EnergyErosion {
   bool operator==(const EnergyErosion&) const = default;
 };
 using Erosion = std::variant<NoErosion, StrainErosion, StressErosion, EnergyErosion>;
+// Limits of other kinds beside Erosion's, which is the first of strain, stress and energy that a scene gives: an element goes by
+// whichever it reaches first. Left out: there is no further one.
+struct FurtherErosion {
+  std::optional<double> stress;  // as StressErosion's limit
+  std::optional<double> energy;  // as EnergyErosion's limit
+  bool is_empty() const { return !stress && !energy; }
+  bool operator==(const FurtherErosion&) const = default;
+};
+
+// --- a limit of strain that hangs on the particle's size ----------------------------------------------------------
+struct AnySize {
+  bool operator==(const AnySize&) const = default;
+};
+// Particles smaller than a cell of the tissue have to part other stuff than larger ones: erosion_size.hpp.
+struct SmallerThanCell {
+  double cell;    // m, of the particle's diameter (a profile's width as it stands)
+  double strain;  // the limit for those that are smaller
+  bool operator==(const SmallerThanCell&) const = default;
+};
+using ErosionBySize = std::variant<AnySize, SmallerThanCell>;
 
 // --- over what erosion is judged --------------------------------------------------------------------------------
 // Each element by its own value.
@@ -119,6 +139,8 @@ struct LayerScene {
   std::optional<double> width;  // m, radius of the fixed outer wall; left out: scene/width.hpp
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
+  FurtherErosion further_erosion = {};
+  ErosionBySize erosion_by_size = AnySize{};
   ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
   bool operator==(const LayerScene&) const = default;
@@ -133,7 +155,9 @@ struct LowerLayerScene {
   double alpha = 0;
   VolumetricChoice volumetric = ChooseBulk{};
   double depth = 0;                     // m, its thickness
-  std::optional<double> erosion_limit;  // in the unit of the first one's; left out: does not erode
+  std::optional<double> erosion_limit;  // in the unit of the first one's; left out: none of that kind
+  FurtherErosion further_erosion = {};  // of kinds that the first one has
+  ErosionBySize erosion_by_size = AnySize{};
   bool operator==(const LowerLayerScene&) const = default;
 };
 

@@ -106,6 +106,18 @@ struct WriteLimit {
   void operator()(const EnergyErosion&) const { lines.quantity("energy", limit, "J/m3"); }
 };
 
+void write_further(Lines& lines, const FurtherErosion& further) {
+  if (further.stress) lines.quantity("stress", *further.stress, "Pa");
+  if (further.energy) lines.quantity("energy", *further.energy, "J/m3");
+}
+
+void write_by_size(Lines& lines, const ErosionBySize& by_size) {
+  const auto* small = std::get_if<SmallerThanCell>(&by_size);
+  if (!small) return;
+  lines.number("strain_below", small->strain);
+  lines.quantity("cell", small->cell, "m");
+}
+
 struct LimitOf {
   double operator()(const NoErosion&) const { return 0; }
   template <class Criterion>
@@ -129,6 +141,8 @@ void write_target(Lines& lines, const LayerScene& target) {
     lines.table("target.erosion");
     std::visit(WriteLimit{lines, std::visit(LimitOf{}, target.erosion)}, target.erosion);
     if (const auto* strain = std::get_if<StrainErosion>(&target.erosion)) lines.word("measure", word(strain->measure));
+    write_further(lines, target.further_erosion);
+    write_by_size(lines, target.erosion_by_size);
     if (const auto length = erosion_length(target)) lines.quantity("length", *length, "m");
   }
   if (const auto* series = std::get_if<PronySeries>(&target.relaxation)) {
@@ -149,9 +163,11 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
     lines.number("alpha", layer.alpha);
     write_volumetric(lines, layer.volumetric);
     lines.quantity("depth", layer.depth, "m");
-    if (!layer.erosion_limit) continue;
+    if (!layer.erosion_limit && layer.further_erosion.is_empty()) continue;
     lines.table("below.erosion");
-    std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);
+    if (layer.erosion_limit) std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);
+    write_further(lines, layer.further_erosion);
+    write_by_size(lines, layer.erosion_by_size);
   }
 }
 

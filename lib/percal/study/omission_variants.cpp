@@ -130,6 +130,8 @@ class Planner {
     if (const auto* strain = std::get_if<StrainErosion>(&s.target.erosion)) lower.erosion_limit = strain->limit;
     if (const auto* stress = std::get_if<StressErosion>(&s.target.erosion)) lower.erosion_limit = stress->limit;
     if (const auto* energy = std::get_if<EnergyErosion>(&s.target.erosion)) lower.erosion_limit = energy->limit;
+    lower.further_erosion = s.target.further_erosion;
+    lower.erosion_by_size = s.target.erosion_by_size;
     s.target.depth = from;
     s.below = {lower};
   }

@@ -11,6 +11,7 @@ template <class C>
 struct GeneralConstants : SolidConstants<C> {
   C per_density, energy_scale;  // 2 mu/alpha^2
   C hourglass_inverse_step;     // 1/dt that the viscosity of the hourglass mode needs
+  C per_squared_stretch_less_one, per_stress, per_energy;  // 1/limit of each measure where several decide
 };
 
 // take(of a, of b) for each of them.
@@ -29,13 +30,25 @@ void each_constant(GeneralConstants<A>& a, const GeneralConstants<B>& b, Take ta
   take(a.per_density, b.per_density);
   take(a.energy_scale, b.energy_scale);
   take(a.hourglass_inverse_step, b.hourglass_inverse_step);
+  take(a.per_squared_stretch_less_one, b.per_squared_stretch_less_one);
+  take(a.per_stress, b.per_stress);
+  take(a.per_energy, b.per_energy);
+}
+
+// By what measures are multiplied to be shares of their limits: lambda^2 - 1, stress, energy. 0 where there is none.
+struct SharesOfLimits {
+  double stretch, stress, energy;
+};
+PERCAL_INLINE SharesOfLimits per_limits(const MaterialConstants& m) {
+  const auto per = [](double limit) { return limit < no_erosion ? 1 / limit : 0; };
+  return {per(m.erosion_stretch * m.erosion_stretch - 1), per(m.stress_limit), per(m.energy_limit)};
 }
 
 template <class Real>
 PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& m, const ColumnShape& shape,
                                                        HourglassKind hourglass, ErosionKind erosion) {
   GeneralConstants<Real> c{solid_constants<Real>(m, shape), Real(1 / m.density), Real(2 * m.mu / (m.alpha * m.alpha)),
-                           Real(0)};
+                           Real(0), Real(0), Real(0), Real(0)};
   if (hourglass == HourglassKind::viscosity) {
     const double impedance = __builtin_sqrt((m.bulk + 4.0 / 3 * m.mu) * m.density);
     const double length = __builtin_sqrt(shape.width * shape.height);
@@ -43,6 +56,13 @@ PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& 
     c.hourglass_inverse_step = Real(2 * m.hourglass * impedance / (m.density * length));
   }
   if (erosion != ErosionKind::stretch) c.erosion_limit = bounded_limit<Real>(m.erosion_limit);
+  if (erosion == ErosionKind::several) {
+    c.erosion_limit = Real(1);
+    const SharesOfLimits per = per_limits(m);
+    c.per_squared_stretch_less_one = Real(per.stretch);
+    c.per_stress = Real(per.stress);
+    c.per_energy = Real(per.energy);
+  }
   return c;
 }
 
@@ -117,14 +137,15 @@ class GeneralSolid {
   PERCAL_INLINE V erosion_measure(const Gradient<V>& F, const Stretches<V>& s, const IsochoricPowers<V>& g,
                                   const Piola<V>& P, V q) const {
     switch (view_.erosion_kind) {
-      case ErosionKind::stress: return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
+      case ErosionKind::stress: return tension(F, s, P, q);
       case ErosionKind::energy:
-      case ErosionKind::averaged_energy:
-        return isochoric_energy(g, constants_.energy_scale) +
-               volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+      case ErosionKind::averaged_energy: return energy(s, g);
+      case ErosionKind::several:  // the largest share of a limit
+        return larger((squared_stretch(F, s) - Real(1)) * constants_.per_squared_stretch_less_one,
+                      larger(tension(F, s, P, q) * constants_.per_stress, energy(s, g) * constants_.per_energy));
       case ErosionKind::stretch: break;
     }
-    return larger(s.first2, F.hoop * F.hoop);
+    return squared_stretch(F, s);
   }
 
   PERCAL_INLINE auto at_limit(int j, V state, V now, V change, bool again, ColumnReport& report) const {
@@ -147,6 +168,17 @@ class GeneralSolid {
   }
 
  private:
+  PERCAL_INLINE V squared_stretch(const Gradient<V>& F, const Stretches<V>& s) const {
+    return larger(s.first2, F.hoop * F.hoop);
+  }
+  // Largest principal Cauchy stress, without the bulk viscosity that is in P.
+  PERCAL_INLINE V tension(const Gradient<V>& F, const Stretches<V>& s, const Piola<V>& P, V q) const {
+    return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
+  }
+  PERCAL_INLINE V energy(const Stretches<V>& s, const IsochoricPowers<V>& g) const {
+    return isochoric_energy(g, constants_.energy_scale) +
+           volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+  }
   const SolidLayer& layer_of(int row) const {
     int k = 0;
     while (k + 1 < view_.layer_count && row >= view_.layers[k].end) ++k;

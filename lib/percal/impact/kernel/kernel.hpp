@@ -56,7 +56,9 @@ struct MaterialConstants {
   double smallest_jacobian;     // an element below it is taken out (0: none)
   double largest_inverse_step;  // an element above it is taken out (infinite: none)
   double density = 1;           // over the first layer's
-  double erosion_limit = 1e30;  // of stress or energy density, where that decides (ErosionKind); infinite likewise
+  double erosion_limit = 1e30;  // of stress or energy density, where that alone decides (ErosionKind); infinite likewise
+  // Beside erosion_stretch, where the first limit reached decides (ErosionKind::several); infinite likewise.
+  double stress_limit = 1e30, energy_limit = 1e30;
 };
 inline constexpr double no_erosion = 1e15;  // limits from here on are infinite
 
@@ -67,7 +69,7 @@ enum class PressureLaw {
   logarithmic
 };  // VolumetricLaw of scene/scene.hpp, which brings too much here
 enum class HourglassKind { stiffness, viscosity };
-enum class ErosionKind { stretch, stress, energy, averaged_energy };
+enum class ErosionKind { stretch, stress, energy, averaged_energy, several };
 
 struct SolidLayer {
   int begin, end;  // rows of elements

@@ -122,9 +122,21 @@ class March {
                                        substeps_ > 1 && before_.has(column, row) ? last_step_ : last_far_step_);
     eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
     ++result_.eroded;
-    if (block_.view().alive[block_.at(column, row)] < -1) ++result_.distorted;
+    if (block_.view().alive[block_.at(column, row)] < -1)
+      ++result_.distorted;
+    else if (solid_.erosion_kind == ErosionKind::several)
+      ++count_of(leading_criterion(block_, solid_, column, row));
     if (!solid_.erodes(row)) inside_out_ = true;
     block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact);
+  }
+
+  long& count_of(Criterion criterion) {
+    switch (criterion) {
+      case Criterion::stress: return result_.eroded_by.stress;
+      case Criterion::energy: return result_.eroded_by.energy;
+      case Criterion::strain: break;
+    }
+    return result_.eroded_by.strain;
   }
 
   bool has_ended() {

@@ -25,6 +25,8 @@ bool is_supersonic(const Problem& p) { return mach_number(p) * p.speed_factor >=
 struct Layer {
   double mu, bulk, alpha, density;
   double erosion_limit;  // as the scene means it
+  FurtherErosion further_erosion = {};
+  bool erodes() const { return erosion_limit < infinite || !further_erosion.is_empty(); }
   double wave_speed() const { return std::sqrt((bulk + 4.0 / 3 * mu) / density); }
 };
 
@@ -37,11 +39,12 @@ struct LimitOf {
 };
 
 std::vector<Layer> layers_of(const Problem& p) {
-  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion)}};
+  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion}};
   const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
   for (const LowerLayer& below : p.below)
     layers.push_back(
-        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite});
+        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite,
+         erodes ? below.further_erosion : FurtherErosion{}});
   return layers;
 }
 
@@ -71,14 +74,21 @@ void set_erosion_limit(MaterialConstants& c, const Layer& layer, const Problem& 
       break;
     case ErosionKind::stress:
     case ErosionKind::energy: c.erosion_limit = layer.erosion_limit; break;
+    case ErosionKind::several:
+      c.erosion_stretch = stretch;
+      c.stress_limit = layer.further_erosion.stress.value_or(infinite);
+      c.energy_limit = layer.further_erosion.energy.value_or(infinite);
+      if (std::holds_alternative<StressErosion>(p.erosion)) c.stress_limit = layer.erosion_limit;
+      break;
   }
 }
 
 }  // namespace
 
 ErosionKind erosion_kind_of(const Problem& p) {
-  if (std::holds_alternative<StressErosion>(p.erosion)) return ErosionKind::stress;
   if (std::holds_alternative<NoErosion>(p.erosion)) return ErosionKind::stretch;
+  if (!p.further_erosion.is_empty()) return ErosionKind::several;
+  if (std::holds_alternative<StressErosion>(p.erosion)) return ErosionKind::stress;
   if (std::holds_alternative<AverageWithin>(p.erosion_average)) return ErosionKind::averaged_energy;
   return std::holds_alternative<EnergyErosion>(p.erosion) ? ErosionKind::energy : ErosionKind::stretch;
 }
@@ -107,7 +117,7 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
                         .density = layer.density,
                         .erosion_limit = infinite};
     set_erosion_limit(c, layer, p);
-    if (layer.erosion_limit < infinite) {
+    if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
           1 / (distorted_step * undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
@@ -146,6 +156,8 @@ const MaterialConstants& TargetSolid::of_row(int row) const {
 
 bool TargetSolid::erodes(int row) const {
   const MaterialConstants& material = of_row(row);
+  if (erosion_kind == ErosionKind::several)
+    return std::min({material.erosion_stretch, material.stress_limit, material.energy_limit}) < no_erosion;
   return (erosion_kind == ErosionKind::stretch ? material.erosion_stretch : material.erosion_limit) < no_erosion;
 }
 

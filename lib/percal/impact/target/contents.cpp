@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "percal/impact/kernel/relaxing_stress.hpp"
-#include "percal/impact/kernel/uniform_solid.hpp"
+#include "percal/impact/kernel/general_solid.hpp"
 
 namespace percal {
 namespace {
@@ -35,6 +34,15 @@ scalar::Piola<double> unrelaxed(const Block<Real>& block, long element, const sc
     overstress = overstress + scalar::Symmetric<double>{H.rr[element], H.rz[element], H.zz[element], H.hoop[element]};
   }
   return scalar::pushed(F, overstress);
+}
+
+// Per undeformed volume, as if nothing had relaxed.
+template <class Real>
+double instantaneous_energy(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const MaterialConstants& material = solid.of_row(row);
+  const scalar::ElasticConstants elastic{material.mu, material.bulk, material.alpha, solid.pressure_law};
+  const auto s = scalar::stretches(element_gradient(block, column, row));
+  return scalar::strain_energy(elastic, s, scalar::isochoric_powers(element_gradient(block, column, row), s, elastic.alpha));
 }
 
 template <class Real>
@@ -110,6 +118,18 @@ ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid,
 }
 
 template <class Real>
+Criterion leading_criterion(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const scalar::SharesOfLimits per = scalar::per_limits(solid.of_row(row));
+  const CellState state = state_of(block, solid, column, row);
+  const auto& [rr, zz, hoop, rz] = state.stress;
+  const double tension = std::max(0.5 * (rr + zz) + std::hypot(0.5 * (rr - zz), rz), hoop);
+  const double strain = (state.stretches[0] * state.stretches[0] - 1) * per.stretch, stress = tension * per.stress,
+               energy = instantaneous_energy(block, solid, column, row) * per.energy;
+  if (strain >= std::max(stress, energy)) return Criterion::strain;
+  return stress >= energy ? Criterion::stress : Criterion::energy;
+}
+
+template <class Real>
 EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid, int rows) {
   const auto& view = block.view();
   const auto& mesh = block.mesh();
@@ -177,6 +197,8 @@ template scalar::Gradient<double> element_gradient(const Block<float>&, int, int
 template scalar::Gradient<double> element_gradient(const Block<double>&, int, int);
 template ElementEnergy element_energy(const Block<float>&, const TargetSolid&, int, int, double);
 template ElementEnergy element_energy(const Block<double>&, const TargetSolid&, int, int, double);
+template Criterion leading_criterion(const Block<float>&, const TargetSolid&, int, int);
+template Criterion leading_criterion(const Block<double>&, const TargetSolid&, int, int);
 template EnergyLedger stored_energy(const Block<float>&, const TargetSolid&, int);
 template EnergyLedger stored_energy(const Block<double>&, const TargetSolid&, int);
 template TargetPiece target_piece(const Block<float>&, const TargetSolid&);

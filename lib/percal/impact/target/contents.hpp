@@ -23,6 +23,11 @@ scalar::Gradient<double> element_gradient(const Block<Real>&, int column, int ro
 template <class Real>
 ElementEnergy element_energy(const Block<Real>&, const TargetSolid&, int column, int row, double last_step);
 
+// Where several criteria decide: the one of which this element has reached the largest share of its limit.
+enum class Criterion { strain, stress, energy };
+template <class Real>
+Criterion leading_criterion(const Block<Real>&, const TargetSolid&, int column, int row);
+
 // What the upper `rows` of elements and their nodes hold now; velocities must stand at the same time as displacements. The
 // rest must be at rest. Fills live_kinetic, freed_mass, elastic and hourglass, not yet divided by the impact energy.
 template <class Real>
