@@ -139,9 +139,25 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
         "runs | 2 over the mesh phase: standard error 300 nm, a single run scatters by 424 nm", "mu, true | 63.75 MPa",
         "2 mu/alpha | 15 MPa, as the scene gives it", "4.671 GPa, chosen by the program", "22050, 14 per radius",
         "5, radii to the wall, given", "13 of them graded (chosen by the program), each 1.2 times", "radius | 1 um",
-        "eroded elements | 74.50 %", "elements taken out of a run | 0 by strain, 0 by distortion", "sum | 99.50 %", "rotation: ", "Mach number | 0.299", "x86_64_v3",
+        "eroded elements | 74.50 %", "sum | 99.50 %", "rotation: ", "Mach number | 0.299", "x86_64_v3",
         "1.001 | stopped | 27.8 um"})
     EXPECT_THAT(words, HasSubstr(there));
+}
+
+TEST_F(ImpactPage, SaysHowManyElementsEachCriterionTookOut) {
+  found.reduction.problem.erosion = StrainErosion{0.7};
+  found.reduction.problem.further_erosion.energy = 1;
+  for (Evaluation& run : found.runs) {
+    run.result.eroded = 40;
+    run.result.distorted = 3;
+    run.result.eroded_by = {.strain = 30, .energy = 7};
+  }
+  EXPECT_EQ(result()["runs"][0]["eroded_by"], (Json{{"strain", 30}, {"energy", 7}, {"distortion", 3}}));
+  EXPECT_THAT(words_of(page()), HasSubstr("elements taken out of a run | 30 by strain, 7 by energy, 3 by distortion"));
+  found.reduction.problem.further_erosion = {};
+  EXPECT_EQ(result()["runs"][0]["eroded_by"], (Json{{"strain", 37}, {"distortion", 3}}));
+  found.reduction.problem.erosion = NoErosion{};
+  EXPECT_TRUE(result()["runs"][0]["eroded_by"].is_null());
 }
 
 TEST_F(ImpactPage, AStudyWithoutALimitGivesTheNoiseAlone) {

@@ -268,6 +268,23 @@ TEST(Reduce, AStrainForParticlesSmallerThanACellHoldsForThoseAlone) {
   EXPECT_EQ(limits_with(1.01 * diameter), std::pair(0.3, 0.4));
 }
 
+TEST(Reduce, FrictionOfAnElasticParticleIsRefusedByNameAndNoneIsNone) {
+  Scene scene = everything(1e-3, 50, 1000);
+  scene.geometry = Geometry::axisymmetric;
+  scene.particle = {.name = "p", .radius = 1e-3, .density = 7000, .speed = 50, .youngs_modulus = 75e6,
+                    .friction = CoulombFriction{0.2}};
+  try {
+    reduce(scene);
+    FAIL() << "accepted";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("particle.friction: found 0.2 of a particle that is elastic"));
+  }
+  scene.particle.elasticity = Elasticity::rigid;
+  EXPECT_EQ(friction_coefficient(reduce(scene).problem), 0.2);
+  scene.particle.friction = NoFriction{};
+  EXPECT_EQ(friction_coefficient(reduce(scene).problem), 0);
+}
+
 TEST(Reduce, ALengthOfErosionIsInRadiiAndOneAboveARadiusWarns) {
   Scene scene = scene_of(thesis_rhombus, "plane strain", "length = \"1.2 mm\"\n");
   scene.target.width.reset();  // the thesis's wall is too near for no warning
@@ -361,10 +378,11 @@ TEST(Reduce, AStiffLayerBelowCanMakeTheParticleElastic) {
 
 TEST(LeftOut, NamesOnlyWhatTheSceneDoesNotHave) {
   EXPECT_THAT(left_out_of(scene_of(thesis_square)),
-              ElementsAre("elastic particle", "rotation", "second half", "history", "rate dependence", "further layers",
+              ElementsAre("elastic particle", "rotation", "friction", "second half", "history", "rate dependence", "further layers",
                           "rows at rest", "contact away from the particle", "double precision"));
   Scene all = everything(1e-3, 50, 1000);
   all.output.history = true;
+  all.particle.friction = CoulombFriction{0.1};
   all.solver.arithmetic = Arithmetic::double_precision;
   EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "rows at rest", "contact away from the particle"));
 }

@@ -26,6 +26,7 @@ struct EnergyLedger {
   double relaxation = 0;        // work of the stresses that relax: lost, or not yet; `elastic` is then what lasts
   double eroded = 0;            // stored in elements when they were taken out
   double collisions = 0;        // lost where nodes of the target met the particle
+  double friction = 0;          // taken by friction between the two
 
   double sum() const;
   double closure() const { return sum() - 1; }                      // the solver's own energy error
@@ -48,7 +49,8 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"viscosity", &EnergyLedger::viscosity, "bulk viscosity"},
     {"relaxation", &EnergyLedger::relaxation, "relaxation"},
     {"eroded", &EnergyLedger::eroded, "eroded elements"},
-    {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"}};
+    {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"},
+    {"friction", &EnergyLedger::friction, "friction along the particle"}};
 
 // Elements by the criterion that took them out, where there are several. Those taken out for their distortion are in none.
 struct ErodedBy {

@@ -40,9 +40,13 @@ std::string object_text(const Members& members) {
 
 std::string value_text(const Json& scalar) { return scalar.dump(); }
 
+// Of runs without friction, as of those before there was any, nothing is kept of it.
+bool may_be_absent(const EnergyTerm& term) { return term.share == &EnergyLedger::friction; }
+
 std::string energy_text(const EnergyLedger& energy) {
   Members members{{"sum", value_text(finite(energy.sum()))}};
-  for (const EnergyTerm& term : energy_terms) members[term.key] = value_text(finite(energy.*term.share));
+  for (const EnergyTerm& term : energy_terms)
+    if (!may_be_absent(term) || energy.*term.share != 0) members[term.key] = value_text(finite(energy.*term.share));
   return object_text(members);
 }
 
@@ -98,7 +102,9 @@ Evaluation from_payload(const std::string& payload) {
       r.eroded_by = {by->at("strain").get<long>(), by->at("stress").get<long>(), by->at("energy").get<long>()};
     r.smallest_jacobian = number(json.at("smallest_jacobian"));
     r.smallest_step = number(json.at("smallest_step"));
-    for (const EnergyTerm& term : energy_terms) r.energy.*term.share = number(json.at("energy").at(term.key));
+    for (const EnergyTerm& term : energy_terms)
+      if (!may_be_absent(term) || json.at("energy").contains(term.key))
+        r.energy.*term.share = number(json.at("energy").at(term.key));
     evaluation.instruction_level = json.at("level").get<std::string>();
     evaluation.wall_seconds = json.at("wall_s").get<double>();
     evaluation.cpu_seconds = json.at("cpu_s").get<double>();

@@ -16,6 +16,8 @@ namespace percal {
 // within a length too: NoAverage, AverageWithin of scene/scene.hpp, in radii. Further limits of other kinds, or none: FurtherErosion
 // of scene/scene.hpp, over rho_t v^2.
 
+// The particle rubs along the target, or it does not: NoFriction, CoulombFriction of scene/scene.hpp.
+
 // The deviatoric stress relaxes, or it does not: NoRelaxation, PronySeries of scene/scene.hpp, times in radii at impact speed.
 
 // The particle.
@@ -54,6 +56,6 @@ struct LowerLayer {
 };
 
 static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
-              std::is_empty_v<RigidSphere>);
+              std::is_empty_v<NoFriction> && std::is_empty_v<RigidSphere>);
 
 }  // namespace percal

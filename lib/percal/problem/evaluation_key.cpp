@@ -80,6 +80,8 @@ std::string choices_text(const Problem& p) {
   if (p.eroded_nodes == ErodedNodes::in_contact) text += " eroded-nodes-in-contact";
   if (const auto* average = std::get_if<AverageWithin>(&p.erosion_average))
     text += fmt::format(" length={:.12g}", average->length);
+  if (const double coefficient = friction_coefficient(p); coefficient > 0)
+    text += fmt::format(" friction={:.12g}", coefficient);
   if (p.rates != 2) text += fmt::format(" rates={}", p.rates);
   return text;
 }

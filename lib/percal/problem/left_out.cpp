@@ -15,7 +15,7 @@ std::string why_the_particle_is_rigid(const Scene& scene) {
 }
 
 struct WhyItDoesNotTurn {
-  std::string operator()(const RigidSphere&) const { return "contact without friction does not turn a round particle"; }
+  std::string operator()(const RigidSphere&) const { return "contact does not turn a round particle that goes straight down"; }
   std::string operator()(const ElasticSphere&) const { return (*this)(RigidSphere{}); }
   std::string operator()(const RigidPolygon& profile) const {
     return profile.free_rotation ? "" : "the scene holds the particle as it stands";
@@ -30,6 +30,7 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
     list.push_back({"elastic particle", why_the_particle_is_rigid(scene)});
   if (const std::string why = std::visit(WhyItDoesNotTurn{}, problem.particle); !why.empty())
     list.push_back({"rotation", why});
+  if (friction_coefficient(problem) == 0) list.push_back({"friction", "the scene gives none"});
   if (problem.geometry == Geometry::plane_strain && !problem.whole)
     list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});

@@ -20,6 +20,7 @@ struct Problem {
   Geometry geometry = Geometry::axisymmetric;
   bool whole = false;  // plane strain: both sides of x = 0; else the right half, mirrored
   Particle particle = RigidSphere{};
+  Friction friction = NoFriction{};  // of a rigid particle
   std::vector<LowerLayer> below;  // `depth` is then the first layer's thickness
   Erosion erosion = NoErosion{};
   FurtherErosion further_erosion = {};
@@ -57,6 +58,9 @@ int rates_of(const Problem& problem);
 
 // What is said of a scene or job that still gives one.
 inline constexpr char contact_stiffness_warning[] = "contact_stiffness has no effect: contact has no springs any more";
+
+// 0: none.
+double friction_coefficient(const Problem& problem);
 
 // v over the dilatational wave speed sqrt((K + 4 mu/3)/rho), of the layer that has the slowest.
 double mach_number(const Problem& problem);

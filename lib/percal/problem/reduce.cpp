@@ -55,6 +55,17 @@ struct ReducedErosion {
   }
 };
 
+// Throws BadInput where the particle is elastic: its outline takes no impulse along itself.
+Friction reduced_friction(const Scene& scene) {
+  const auto* coulomb = std::get_if<CoulombFriction>(&scene.particle.friction);
+  if (!coulomb) return NoFriction{};
+  if (is_elastic(scene))
+    throw BadInput({.file = scene.source, .line = 0, .key = "particle.friction"},
+                   fmt::format("{} of a particle that is elastic", coulomb->coefficient),
+                   "friction of a rigid particle: elasticity = \"rigid\" beside it, or no friction");
+  return CoulombFriction{round_to_12_digits(coulomb->coefficient)};
+}
+
 // Limits of stress and energy over `stress`, rho_t v^2 in Pa.
 FurtherErosion reduced_further(const FurtherErosion& further, double stress) {
   const auto over = [stress](const std::optional<double>& limit) {
@@ -174,6 +185,7 @@ Reduction reduce(const Scene& scene) {
   p.bottom = target.bottom;
   p.geometry = scene.geometry;
   p.particle = reduced_particle(scene, p.density_ratio);
+  p.friction = reduced_friction(scene);
   p.below = layers_below(scene, stress, reduction);
   p.erosion = std::visit(ReducedErosion{stress}, erosion_in_force(scene));
   p.further_erosion = reduced_further(target.further_erosion, stress);
@@ -199,6 +211,11 @@ double Problem::whole_depth() const {
   double sum = depth;
   for (const LowerLayer& layer : below) sum += layer.depth;
   return sum;
+}
+
+double friction_coefficient(const Problem& problem) {
+  const auto* coulomb = std::get_if<CoulombFriction>(&problem.friction);
+  return coulomb ? coulomb->coefficient : 0;
 }
 
 int rates_of(const Problem& problem) { return std::holds_alternative<NoErosion>(problem.erosion) ? 1 : problem.rates; }

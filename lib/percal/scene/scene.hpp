@@ -114,6 +114,17 @@ struct ProfileShape {
 };
 using ParticleShape = std::variant<RoundShape, ProfileShape>;
 
+// --- friction between particle and target -------------------------------------------------------------------------
+struct NoFriction {
+  bool operator==(const NoFriction&) const = default;
+};
+// Coulomb's: the force along the surface is at most the coefficient times the one across it.
+struct CoulombFriction {
+  double coefficient;
+  bool operator==(const CoulombFriction&) const = default;
+};
+using Friction = std::variant<NoFriction, CoulombFriction>;
+
 enum class Elasticity { automatic, rigid, elastic };  // automatic: rigid where the target is too soft to deform it
 
 struct ParticleScene {
@@ -125,6 +136,7 @@ struct ParticleScene {
   std::optional<double> youngs_modulus;  // Pa
   double poisson_ratio = 0.3;            // of an elastic particle
   Elasticity elasticity = Elasticity::automatic;
+  Friction friction = NoFriction{};
   bool operator==(const ParticleScene&) const = default;
 };
 

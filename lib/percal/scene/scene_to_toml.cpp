@@ -89,6 +89,7 @@ void write_particle(Lines& lines, const ParticleScene& particle, Geometry geomet
   if (particle.youngs_modulus) lines.quantity("youngs_modulus", *particle.youngs_modulus, "Pa");
   lines.number("poisson_ratio", particle.poisson_ratio);
   lines.choice("elasticity", elasticity_words(), particle.elasticity);
+  if (const auto* coulomb = std::get_if<CoulombFriction>(&particle.friction)) lines.number("friction", coulomb->coefficient);
 }
 
 void write_volumetric(Lines& lines, const VolumetricChoice& volumetric) {

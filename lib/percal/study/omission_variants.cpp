@@ -20,6 +20,7 @@ namespace {
 
 constexpr double wider = 2, thicker = 1.5, finer = 1.5, stiffer_layer = 2, stiffer_bulk = 4;
 constexpr double illustrated_share = 0.2;  // of the modulus that relaxes within a radius at impact speed
+constexpr double illustrated_friction = 0.1;
 constexpr double weak_hourglass = 0.1, strong_hourglass = 1, viscous_hourglass = 0.1;
 
 class Planner {
@@ -50,6 +51,7 @@ class Planner {
 
   void physics(const std::optional<double>& depth) {
     particle();
+    friction();
     layers(depth);
     relaxation();
     volumetric_laws();
@@ -98,6 +100,8 @@ class Planner {
     if (is_elastic(scene_))
       add("rigid particle", "without the elasticity that the scene has",
           [](Scene& s) { s.particle.elasticity = Elasticity::rigid; });
+    else if (!std::holds_alternative<NoFriction>(p.friction))
+      skip("elastic particle", "the scene has friction, which is that of rigid particles");
     else if (!p.youngs_modulus)
       skip("elastic particle", "the scene gives no Young's modulus");
     else
@@ -116,6 +120,21 @@ class Planner {
     about(OmissionKind::numerics, "second half");
     if (!baseline_.problem.whole)
       add("second half", "both sides of the middle line meshed", [](Scene& s) { s.mesh.whole = true; });
+  }
+
+  void friction() {
+    if (!std::holds_alternative<NoFriction>(scene_.particle.friction)) {
+      about(OmissionKind::physics);
+      return add("no friction", "without the friction that the scene has",
+                 [](Scene& s) { s.particle.friction = NoFriction{}; });
+    }
+    about(OmissionKind::physics, "friction", true);
+    if (is_elastic(scene_)) return skip("friction", "the particle is elastic, and friction is that of rigid ones");
+    add("friction", fmt::format("an illustration: Coulomb's, with a coefficient of {}", illustrated_friction),
+        [](Scene& s) {
+          s.particle.friction = CoulombFriction{illustrated_friction};
+          s.particle.elasticity = Elasticity::rigid;
+        });
   }
 
   // A second layer from `share` of the target's depth on; the first layer is that much thinner.

@@ -28,7 +28,7 @@ class March {
         solid_(problem, block_.layers()),
         sweep_(problem, block_, kernel_, solid_, threads),
         particle_(problem),
-        zone_(block_, kernel_, particle_),
+        zone_(block_, kernel_, particle_, friction_coefficient(problem)),
         recorder_(problem.history_samples),
         observer_(observer),
         substeps_(rates_of(problem)) {
@@ -251,6 +251,7 @@ class March {
     energy.relaxation = relaxing_work_;
     energy.eroded = eroded_energy_;
     energy.collisions = zone_.collisions() + own.collisions;
+    energy.friction = zone_.friction();
     for (const auto& [key, share, words] : energy_terms) energy.*share /= impact_energy_;
     return energy;
   }
