@@ -145,8 +145,8 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
 }
 
 TEST_F(ImpactPage, SaysHowManyElementsEachCriterionTookOut) {
-  found.reduction.problem.erosion = StrainErosion{0.7};
-  found.reduction.problem.further_erosion.energy = 1;
+  reduction.problem.erosion = StrainErosion{0.7};
+  reduction.problem.further_erosion.energy = 1;
   for (Evaluation& run : found.runs) {
     run.result.eroded = 40;
     run.result.distorted = 3;
@@ -154,9 +154,9 @@ TEST_F(ImpactPage, SaysHowManyElementsEachCriterionTookOut) {
   }
   EXPECT_EQ(result()["runs"][0]["eroded_by"], (Json{{"strain", 30}, {"energy", 7}, {"distortion", 3}}));
   EXPECT_THAT(words_of(page()), HasSubstr("elements taken out of a run | 30 by strain, 7 by energy, 3 by distortion"));
-  found.reduction.problem.further_erosion = {};
+  reduction.problem.further_erosion = {};
   EXPECT_EQ(result()["runs"][0]["eroded_by"], (Json{{"strain", 37}, {"distortion", 3}}));
-  found.reduction.problem.erosion = NoErosion{};
+  reduction.problem.erosion = NoErosion{};
   EXPECT_TRUE(result()["runs"][0]["eroded_by"].is_null());
 }
 

@@ -62,6 +62,8 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
       {"strain and stress", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion.stress = 0.7; }},
       {"strain and energy", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion.energy = 0.7; }},
       {"all three", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion = {0.7, 0.7}; }},
+      {"stretch", [](Problem& p) { p.stretch = 1.1; }},
+      {"stretch of a layer", layer([](LowerLayer& below) { below.stretch = 1.1; })},
       {"friction", [](Problem& p) { p.friction = CoulombFriction{0.1}; }},
       {"friction, coefficient", [](Problem& p) { p.friction = CoulombFriction{0.2}; }},
       {"average", [](Problem& p) { p.erosion_average = AverageWithin{0.3}; }},

@@ -285,6 +285,24 @@ TEST(Reduce, FrictionOfAnElasticParticleIsRefusedByNameAndNoneIsNone) {
   EXPECT_EQ(friction_coefficient(reduce(scene).problem), 0);
 }
 
+TEST(Reduce, AStretchThatReachesTheErosionStrainIsRefused) {
+  Scene scene = everything(1e-3, 50, 1000);
+  scene.target.further_erosion = {};
+  scene.target.erosion = StrainErosion{0.3, StrainMeasure::true_strain};  // a stretch of 1.35
+  scene.target.stretch = scene.below[0].stretch = 1.34;
+  scene.below[0].erosion_limit = 0.3;
+  EXPECT_EQ(reduce(scene).problem.stretch, 1.34);
+  scene.below[0].stretch = 1.36;
+  try {
+    reduce(scene);
+    FAIL() << "accepted";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("below[1].stretch: found 1.36, which reaches the erosion strain of 0.3"));
+  }
+  scene.below[0].erosion_limit.reset();
+  EXPECT_EQ(reduce(scene).problem.below[0].stretch, 1.36) << "it does not erode";
+}
+
 TEST(Reduce, ALengthOfErosionIsInRadiiAndOneAboveARadiusWarns) {
   Scene scene = scene_of(thesis_rhombus, "plane strain", "length = \"1.2 mm\"\n");
   scene.target.width.reset();  // the thesis's wall is too near for no warning

@@ -62,6 +62,15 @@ TEST(TargetToml, ALimitOfStrainMayHangOnTheParticlesSizeAgainstACells) {
   EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\ncell = \"0 um\"\nstrain_below = 0.3\n"), HasSubstr("a positive length"));
 }
 
+TEST(TargetToml, EachLayerMayBeStretchedBeforeTheImpact) {
+  const Scene scene = with("stretch = 1.1\n" + layer + "stretch = 1.2\n" + layer);
+  EXPECT_EQ(scene.target.stretch, 1.1);
+  EXPECT_EQ(scene.below[0].stretch, 1.2);
+  EXPECT_EQ(scene.below[1].stretch, 1);
+  EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
+  EXPECT_THAT(refusal_with("stretch = 0\n"), HasSubstr("target.stretch: found 0; accepted: a stretch from 0.5 to 3"));
+}
+
 TEST(TargetToml, AtLeastOneCriterionIsGiven) {
   EXPECT_THAT(refusal_with("[target.erosion]\n"), HasSubstr("accepted: one or more of strain, stress and energy"));
   EXPECT_THAT(refusal_with("[target.erosion]\nstress = \"1 MPa\"\nmeasure = \"true\"\n"),

@@ -52,6 +52,7 @@ struct LowerLayer {
   double bulk_ratio = least_bulk_ratio;  // K / mu
   double erosion_limit = 0;              // as the first layer's limit is meant; infinite: none of that kind
   FurtherErosion further_erosion = {};
+  double stretch = 1;  // of its plane before the impact; 1: none
   bool operator==(const LowerLayer&) const = default;
 };
 

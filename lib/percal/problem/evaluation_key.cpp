@@ -62,6 +62,17 @@ std::string further_erosion_text(const Problem& p) {
   return text + "]";
 }
 
+// Of all layers, where one is stretched.
+std::string stretch_text(const Problem& p) {
+  std::string text = fmt::format("{:.12g}", p.stretch);
+  bool stretched = p.stretch != 1;
+  for (const LowerLayer& layer : p.below) {
+    text += fmt::format(",{:.12g}", layer.stretch);
+    stretched |= layer.stretch != 1;
+  }
+  return stretched ? " stretch=[" + text + "]" : "";
+}
+
 std::string relaxation_text(const Relaxation& relaxation) {
   const auto* series = std::get_if<PronySeries>(&relaxation);
   if (!series) return "";
@@ -149,7 +160,8 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,
              p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor, p.end_time, p.speed_factor) +
-         choices_text(p) + below_text(p.below) + further_erosion_text(p) + relaxation_text(p.relaxation);
+         choices_text(p) + below_text(p.below) + further_erosion_text(p) + stretch_text(p) +
+         relaxation_text(p.relaxation);
 }
 
 // Read without complaint, written again: what was not understood is missing from the second text.

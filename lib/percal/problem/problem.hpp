@@ -25,6 +25,7 @@ struct Problem {
   Erosion erosion = NoErosion{};
   FurtherErosion further_erosion = {};
   ErosionAverage erosion_average = NoAverage{};
+  double stretch = 1;  // of the first layer's plane before the impact; 1: none
   Relaxation relaxation = NoRelaxation{};
 
   double elements_per_radius = 10;

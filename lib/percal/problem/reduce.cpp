@@ -110,9 +110,25 @@ std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reductio
         bulk_ratio(layer.volumetric, reduced.density / reduced.mu, layer.name, scene.solver, reduction);
     reduced.erosion_limit = lower_limit(layer, scene, stress);
     reduced.further_erosion = reduced_further(layer.further_erosion, stress);
+    reduced.stretch = round_to_12_digits(layer.stretch);
     below.push_back(reduced);
   }
   return below;
+}
+
+// Throws BadInput where a layer's own stretch is beyond its limit of strain.
+void need_whole_layers(const Scene& scene, const Problem& p) {
+  const auto* strain = std::get_if<StrainErosion>(&p.erosion);
+  if (!strain) return;
+  const auto check = [&](double stretch, double limit, const std::string& key) {
+    if (!std::isfinite(limit) || stretch == 1 || stretch < stretch_at(limit, strain->measure)) return;
+    throw BadInput({.file = scene.source, .line = 0, .key = key},
+                   fmt::format("{}, which reaches the erosion strain of {} before the impact", stretch, limit),
+                   fmt::format("a stretch below {:.6g}", stretch_at(limit, strain->measure)));
+  };
+  check(p.stretch, strain->limit, "target.stretch");
+  for (std::size_t k = 0; k < p.below.size(); ++k)
+    check(p.below[k].stretch, p.below[k].erosion_limit, fmt::format("below[{}].stretch", k + 1));
 }
 
 Relaxation reduced_relaxation(const Scene& scene) {
@@ -190,6 +206,8 @@ Reduction reduce(const Scene& scene) {
   p.erosion = std::visit(ReducedErosion{stress}, erosion_in_force(scene));
   p.further_erosion = reduced_further(target.further_erosion, stress);
   p.erosion_average = reduced_average(scene, reduction);
+  p.stretch = round_to_12_digits(target.stretch);
+  need_whole_layers(scene, p);
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);
   take_solver(scene, p);

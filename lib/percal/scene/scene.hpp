@@ -155,6 +155,7 @@ struct LayerScene {
   ErosionBySize erosion_by_size = AnySize{};
   ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
+  double stretch = 1;  // of the plane of the layer before the impact; the wall holds it
   bool operator==(const LayerScene&) const = default;
 };
 
@@ -170,6 +171,7 @@ struct LowerLayerScene {
   std::optional<double> erosion_limit;  // in the unit of the first one's; left out: none of that kind
   FurtherErosion further_erosion = {};  // of kinds that the first one has
   ErosionBySize erosion_by_size = AnySize{};
+  double stretch = 1;
   bool operator==(const LowerLayerScene&) const = default;
 };
 

@@ -137,6 +137,7 @@ void write_target(Lines& lines, const LayerScene& target) {
   write_volumetric(lines, target.volumetric);
   lines.quantity("depth", target.depth, "m");
   if (target.width) lines.quantity("width", *target.width, "m");
+  if (target.stretch != 1) lines.number("stretch", target.stretch);
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
   if (!std::holds_alternative<NoErosion>(target.erosion)) {
     lines.table("target.erosion");
@@ -164,6 +165,7 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
     lines.number("alpha", layer.alpha);
     write_volumetric(lines, layer.volumetric);
     lines.quantity("depth", layer.depth, "m");
+    if (layer.stretch != 1) lines.number("stretch", layer.stretch);
     if (!layer.erosion_limit && layer.further_erosion.is_empty()) continue;
     lines.table("below.erosion");
     if (layer.erosion_limit) std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);

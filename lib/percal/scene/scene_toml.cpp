@@ -18,6 +18,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_alpha = 1e-3;  // the solver divides by alpha
+const Range initial_stretches{.low = 0.5, .high = 3, .words = "a stretch from 0.5 to 3; 1: none"};
 constexpr std::size_t most_relaxation_terms = 3;
 
 Relaxation read_relaxation(const TomlTable& target) {
@@ -86,6 +87,7 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
       "width", dimension::length,
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
+  target.stretch = table.number("stretch", initial_stretches, target.stretch);
   read_erosion(table, particle, target);
   target.relaxation = read_relaxation(table);
   return target;
@@ -102,6 +104,7 @@ std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, co
     layer.alpha = alpha;
     layer.volumetric = volumetric_from(table);
     layer.depth = table.quantity("depth", dimension::length, positive("length"));
+    layer.stretch = table.number("stretch", initial_stretches, layer.stretch);
     read_lower_erosion(table, first, layer);
     below.push_back(layer);
   }

@@ -9,8 +9,10 @@ namespace percal::PERCAL_LEVEL {
 // Besides those of the plain solid.
 template <class C>
 struct GeneralConstants : SolidConstants<C> {
-  C per_density, energy_scale;  // 2 mu/alpha^2
+  C per_density;                // of the solid before it was stretched
+  C energy_scale;               // 2 mu/alpha^2
   C hourglass_inverse_step;     // 1/dt that the viscosity of the hourglass mode needs
+  C initial_r, initial_z, initial_hoop, per_initial_jacobian;
   C per_squared_stretch_less_one, per_stress, per_energy;  // 1/limit of each measure where several decide
 };
 
@@ -30,6 +32,10 @@ void each_constant(GeneralConstants<A>& a, const GeneralConstants<B>& b, Take ta
   take(a.per_density, b.per_density);
   take(a.energy_scale, b.energy_scale);
   take(a.hourglass_inverse_step, b.hourglass_inverse_step);
+  take(a.initial_r, b.initial_r);
+  take(a.initial_z, b.initial_z);
+  take(a.initial_hoop, b.initial_hoop);
+  take(a.per_initial_jacobian, b.per_initial_jacobian);
   take(a.per_squared_stretch_less_one, b.per_squared_stretch_less_one);
   take(a.per_stress, b.per_stress);
   take(a.per_energy, b.per_energy);
@@ -47,8 +53,14 @@ PERCAL_INLINE SharesOfLimits per_limits(const MaterialConstants& m) {
 template <class Real>
 PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& m, const ColumnShape& shape,
                                                        HourglassKind hourglass, ErosionKind erosion) {
-  GeneralConstants<Real> c{solid_constants<Real>(m, shape), Real(1 / m.density), Real(2 * m.mu / (m.alpha * m.alpha)),
-                           Real(0), Real(0), Real(0), Real(0)};
+  GeneralConstants<Real> c{solid_constants<Real>(m, shape)};
+  const double initial_jacobian = m.initial.jacobian();
+  c.per_density = Real(1 / (m.density * initial_jacobian));
+  c.energy_scale = Real(2 * m.mu / (m.alpha * m.alpha));
+  c.initial_r = Real(m.initial.r);
+  c.initial_z = Real(m.initial.z);
+  c.initial_hoop = Real(m.initial.hoop);
+  c.per_initial_jacobian = Real(1 / initial_jacobian);
   if (hourglass == HourglassKind::viscosity) {
     const double impedance = __builtin_sqrt((m.bulk + 4.0 / 3 * m.mu) * m.density);
     const double length = __builtin_sqrt(shape.width * shape.height);
@@ -91,6 +103,22 @@ class GeneralSolid {
     return constants_;
   }
 
+  // docs/theory/target.md (16), (17).
+  PERCAL_INLINE void add_initial_stretch(Gradient<V>& F) const {
+    if (!view_.is_stretched) return;
+    const Constants& c = constants_;
+    F = {F.rr * c.initial_r, F.rz * c.initial_z, F.zr * c.initial_r, F.zz * c.initial_z, F.hoop * c.initial_hoop};
+  }
+  PERCAL_INLINE void refer_to_mesh(Piola<V>& P) const {
+    if (!view_.is_stretched) return;
+    const Constants& c = constants_;
+    const V r = c.initial_r * c.per_initial_jacobian, z = c.initial_z * c.per_initial_jacobian;
+    P = {P.rr * r, P.rz * z, P.zr * r, P.zz * z, P.hoop * (c.initial_hoop * c.per_initial_jacobian)};
+  }
+  PERCAL_INLINE V per_mesh_volume(V energy) const {
+    return view_.is_stretched ? energy * constants_.per_initial_jacobian : energy;
+  }
+
   PERCAL_INLINE CornerForce<V> hourglass_force(int j, V mode_r, V mode_z) {
     if (view_.hourglass_kind == HourglassKind::stiffness)
       return {mode_r * constants_.hourglass, mode_z * constants_.hourglass};
@@ -112,8 +140,8 @@ class GeneralSolid {
                            Piola<V>& P) {
     if (view_.relaxation.terms == 0) return;
     const auto change = relaxing_stress_.advance(j, F, second_piola(s, t));
-    relaxing_work_ = change.work;
-    relaxing_work_if_gone_ = change.work_if_gone;
+    relaxing_work_ = per_mesh_volume(change.work);
+    relaxing_work_if_gone_ = per_mesh_volume(change.work_if_gone);
     const Piola<V> more = pushed(F, change.stress);
     P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
     stiffer_ = larger(largest_principal(kirchhoff(F, more)), V{});
@@ -124,7 +152,7 @@ class GeneralSolid {
   PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
                                            const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
     const V volumetric = volumetric_stiffness(view_.pressure_law, s.jacobian, constants_.bulk);
-    StepBound<V> bound = step_bound_with(volumetric, s, g, t, constants_.mu, per.width2, per.height2, per.hoop2);
+    StepBound<V> bound = bound_between(volumetric, s, g, t, per);
     if (view_.relaxation.terms > 0) bound.stiffness += stiffer_ * bound.over_stretch;
     return bound;
   }
@@ -178,6 +206,15 @@ class GeneralSolid {
   PERCAL_INLINE V energy(const Stretches<V>& s, const IsochoricPowers<V>& g) const {
     return isochoric_energy(g, constants_.energy_scale) +
            volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+  }
+  // The unstretched element has sides of its own.
+  PERCAL_INLINE StepBound<V> bound_between(V volumetric, const Stretches<V>& s, const IsochoricPowers<V>& g,
+                                           const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
+    if (!view_.is_stretched)
+      return step_bound_with(volumetric, s, g, t, constants_.mu, per.width2, per.height2, per.hoop2);
+    const Constants& c = constants_;
+    return step_bound_with(volumetric, s, g, t, c.mu, per.width2 * (c.initial_r * c.initial_r),
+                           per.height2 * (c.initial_z * c.initial_z), per.hoop2 * (c.initial_hoop * c.initial_hoop));
   }
   const SolidLayer& layer_of(int row) const {
     int k = 0;

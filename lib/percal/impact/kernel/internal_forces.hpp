@@ -70,6 +70,7 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
     F.zr = (z_ac + z_bd) * half_per_width;
     F.zz = (z_ac - z_bd) * half_per_height + Real(1);
     F.hoop = larger(((ra + rc) + (rb + rd)) * quarter_per_radius + Real(1), broadcast<V>(Real(1e-3)));
+    solid.add_initial_stretch(F);
     const auto hourglass = solid.hourglass_force(j, (ra - rb) + (rc - rd), (za - zb) + (zc - zd));
 
     // Compute.
@@ -101,7 +102,7 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
           alive[j + l] = at_limit[l] ? Real(-1) : Real(-2);
           ++report.doomed;
         }
-      work += select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero);
+      work += solid.per_mesh_volume(select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero));
       live = live & ~gone;
     }
     solid.close_group(j, live, gone);
@@ -110,10 +111,11 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
     if (__builtin_expect(any(steep > watched), 0)) watch.flags[j / lanes] = 1;
     steepest = larger(steepest, steep);
     tightest = smaller(tightest, select(live, s.unbounded_jacobian, tightest));
-    work += select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero);
+    work += solid.per_mesh_volume(select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero));
     store(jacobian + j, s.jacobian);
     store(viscous + j, q);
 
+    solid.refer_to_mesh(P);
     // Scatter. The hourglass force comes last everywhere, so that a mirrored scene has mirrored bits.
     const V rr = P.rr * to_r, rz = P.rz * to_z, zr = P.zr * to_r, zz = P.zz * to_z, hoop = P.hoop * to_hoop;
     const V sum_r = rr + rz, difference_r = rr - rz, sum_z = zr + zz, difference_z = zr - zz;

@@ -47,6 +47,13 @@ struct ColumnShape {
   bool at_axis;
 };
 
+// What an element of a layer has been stretched by before it came to stand as the mesh has it; its sides are the mesh's.
+struct InitialStretch {
+  double r = 1, z = 1, hoop = 1;
+  double jacobian() const { return r * z * hoop; }
+  bool is_none() const { return r == 1 && z == 1 && hoop == 1; }
+};
+
 struct MaterialConstants {
   double mu, bulk, alpha;
   double hourglass;             // stiffness of the hourglass mode over mu, or its viscosity over the wave impedance
@@ -59,6 +66,7 @@ struct MaterialConstants {
   double erosion_limit = 1e30;  // of stress or energy density, where that alone decides (ErosionKind); infinite likewise
   // Beside erosion_stretch, where the first limit reached decides (ErosionKind::several); infinite likewise.
   double stress_limit = 1e30, energy_limit = 1e30;
+  InitialStretch initial = {};
 };
 inline constexpr double no_erosion = 1e15;  // limits from here on are infinite
 
@@ -115,6 +123,7 @@ struct GeneralSolidView {
   ErosionKind erosion_kind;
   HourglassView<Real> hourglass;
   RelaxationView<Real> relaxation;
+  bool is_stretched;  // before the impact: some layer
   double time = 0;  // of the displacements
 };
 

@@ -113,6 +113,11 @@ class UniformSolid {
 
   // Rows j to j + lanes come next.
   PERCAL_INLINE const SolidConstants<Real>& at(int) const { return constants_; }
+  // From the gradient over the mesh to that over the unstretched solid, and back from its first Piola stress and from an energy per
+  // volume of it: the plain solid has no initial stretch.
+  PERCAL_INLINE void add_initial_stretch(Gradient<V>&) const {}
+  PERCAL_INLINE void refer_to_mesh(Piola<V>&) const {}
+  PERCAL_INLINE V per_mesh_volume(V energy) const { return energy; }
   // From the displacements of the mode.
   PERCAL_INLINE CornerForce<V> hourglass_force(int, V mode_r, V mode_z) const {
     return {mode_r * constants_.hourglass, mode_z * constants_.hourglass};

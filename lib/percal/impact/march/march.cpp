@@ -11,6 +11,7 @@
 #include "percal/impact/settings.hpp"
 #include "percal/impact/target/constants.hpp"
 #include "percal/impact/target/contents.hpp"
+#include "percal/impact/target/initial_stretch.hpp"
 
 namespace percal {
 namespace {
@@ -32,6 +33,7 @@ class March {
         recorder_(problem.history_samples),
         observer_(observer),
         substeps_(rates_of(problem)) {
+    if (solid_.is_stretched()) torn_ = !take_initial_state(block_, solid_);
     impact_energy_ = particle_.energy().kinetic;
     rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
     if (substeps_ > 1)
@@ -143,6 +145,7 @@ class March {
     result_.depth = std::max(result_.depth, particle_.tip());
     if (!std::isfinite(zone_.force()) || !std::isfinite(viscous_work_ + relaxing_work_))
       return end(Outcome::unstable, "a force is not finite");
+    if (torn_) return end(Outcome::unstable, "the target's initial stretch alone reaches its limit of erosion");
     if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
     if (std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step * collapsed_step > 1)
       return end(Outcome::time_up, "the time step collapsed");
@@ -299,6 +302,7 @@ class March {
   double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0;
   int rows_moving_ = 0;
   bool inside_out_ = false;  // an element that does not erode
+  bool torn_ = false;        // before the impact
 };
 
 // Which run each choice of a particle gets.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "percal/impact/settings.hpp"
+#include "percal/impact/target/initial_stretch.hpp"
 #include "percal/problem/domain.hpp"
 
 namespace percal {
@@ -26,6 +27,7 @@ struct Layer {
   double mu, bulk, alpha, density;
   double erosion_limit;  // as the scene means it
   FurtherErosion further_erosion = {};
+  double stretch;  // of its plane, before the impact
   bool erodes() const { return erosion_limit < infinite || !further_erosion.is_empty(); }
   double wave_speed() const { return std::sqrt((bulk + 4.0 / 3 * mu) / density); }
 };
@@ -39,12 +41,13 @@ struct LimitOf {
 };
 
 std::vector<Layer> layers_of(const Problem& p) {
-  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion}};
+  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion,
+                             p.stretch}};
   const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
   for (const LowerLayer& below : p.below)
     layers.push_back(
         {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite,
-         erodes ? below.further_erosion : FurtherErosion{}});
+         erodes ? below.further_erosion : FurtherErosion{}, below.stretch});
   return layers;
 }
 
@@ -55,6 +58,13 @@ PressureLaw pressure_law_of(VolumetricLaw law) {
     case VolumetricLaw::log_quadratic: break;
   }
   return PressureLaw::log_quadratic;
+}
+
+double lasting_share_of(const Relaxation& relaxation) {
+  double share = 1;
+  if (const auto* series = std::get_if<PronySeries>(&relaxation))
+    for (const PronyTerm& term : series->terms) share -= term.share;
+  return share;
 }
 
 // The energy density that a layer has in uniaxial tension at this stretch, volume kept: impact.md (24).
@@ -117,6 +127,9 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
                         .density = layer.density,
                         .erosion_limit = infinite};
     set_erosion_limit(c, layer, p);
+    c.initial = initial_stretch(
+        layer.stretch, p.geometry,
+        {layer.mu * lasting_share_of(p.relaxation), layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)});
     if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
@@ -144,8 +157,12 @@ TargetSolid::TargetSolid(const Problem& problem, const std::vector<LayerRows>& r
 
 bool TargetSolid::is_plain() const {
   return layers.size() == 1 && pressure_law == PressureLaw::log_quadratic &&
-         hourglass_kind == HourglassKind::stiffness && relaxation.empty() &&
+         hourglass_kind == HourglassKind::stiffness && relaxation.empty() && !is_stretched() &&
          (erosion_kind == ErosionKind::stretch || erosion_kind == ErosionKind::averaged_energy);
+}
+
+bool TargetSolid::is_stretched() const {
+  return std::ranges::any_of(layers, [](const SolidLayer& layer) { return !layer.material.initial.is_none(); });
 }
 
 const MaterialConstants& TargetSolid::of_row(int row) const {
@@ -175,7 +192,8 @@ GeneralSolidView<Real> TargetSolid::view(Block<Real>& block) const {
                               .hourglass_kind = hourglass_kind,
                               .erosion_kind = erosion_kind,
                               .hourglass = block.hourglass_velocity(),
-                              .relaxation = block.relaxation()};
+                              .relaxation = block.relaxation(),
+                              .is_stretched = is_stretched()};
   view.relaxation.terms = static_cast<int>(relaxation.size());
   for (std::size_t k = 0; k < relaxation.size(); ++k) view.relaxation.term[k] = relaxation[k];
   return view;
