@@ -192,6 +192,7 @@ Scene everything(double a, double v, double rho) {
       .name = "top", .density = rho, .mu_as_given = 0.1 * stress, .alpha = 9, .depth = 3 * a, .width = 7 * a};
   scene.target.erosion = StressErosion{0.7 * stress};
   scene.target.further_erosion.energy = 0.9 * stress;
+  scene.target.fibres = PlanarFibres{0.2 * stress, 3, 0.4};
   scene.target.relaxation = PronySeries{{{0.3, 0.7 * a / v}, {0.1, 7 * a / v}}};
   scene.below = {{.name = "below",
                   .density = 1.1 * rho,
@@ -231,6 +232,7 @@ TEST(Reduce, ErosionLimitsAreOverTheImpactPressureAndRelaxationTimesInRadii) {
   EXPECT_NEAR(std::get<StressErosion>(p.erosion).limit, 0.7, 1e-12);
   EXPECT_NEAR(p.below.at(0).erosion_limit, 1.3, 1e-12);
   EXPECT_NEAR(p.further_erosion.energy.value(), 0.9, 1e-12);
+  EXPECT_NEAR(std::get<PlanarFibres>(p.fibres).k1, 0.2, 1e-12);
   EXPECT_NEAR(p.below.at(0).further_erosion.energy.value(), 1.7, 1e-12);
   const auto& terms = std::get<PronySeries>(p.relaxation).terms;
   EXPECT_EQ(terms.at(0).share, 0.3);
@@ -396,13 +398,13 @@ TEST(Reduce, AStiffLayerBelowCanMakeTheParticleElastic) {
 
 TEST(LeftOut, NamesOnlyWhatTheSceneDoesNotHave) {
   EXPECT_THAT(left_out_of(scene_of(thesis_square)),
-              ElementsAre("elastic particle", "rotation", "friction", "second half", "history", "rate dependence", "further layers",
-                          "rows at rest", "contact away from the particle", "double precision"));
+              ElementsAre("elastic particle", "rotation", "friction", "second half", "history", "rate dependence",
+                          "initial stretch", "fibres", "further layers", "rows at rest", "contact away from the particle", "double precision"));
   Scene all = everything(1e-3, 50, 1000);
   all.output.history = true;
   all.particle.friction = CoulombFriction{0.1};
   all.solver.arithmetic = Arithmetic::double_precision;
-  EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "rows at rest", "contact away from the particle"));
+  EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "initial stretch", "rows at rest", "contact away from the particle"));
 }
 
 TEST(LeftOut, AProfileOfSoftMaterialStaysRigidWithAWarning) {

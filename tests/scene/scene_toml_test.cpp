@@ -288,6 +288,7 @@ void add_features(Scene& scene, std::mt19937_64& random) {
     scene.mesh.whole = coin() || needs_both_halves(scene.particle);
   }
   if (coin()) scene.target.stretch = 1 + number(-9, 0);
+  if (coin()) scene.target.fibres = PlanarFibres{number(-20, 20), number(-9, 9), 0.5 - number(-9, -3)};
   if (coin()) scene.particle.friction = CoulombFriction{number(-10, 1)};
   if (coin()) scene.target.erosion = StressErosion{number(-60, 60)};
   if (coin()) scene.target.erosion = EnergyErosion{number(-60, 60)};

@@ -71,6 +71,19 @@ TEST(TargetToml, EachLayerMayBeStretchedBeforeTheImpact) {
   EXPECT_THAT(refusal_with("stretch = 0\n"), HasSubstr("target.stretch: found 0; accepted: a stretch from 0.5 to 3"));
 }
 
+TEST(TargetToml, EachLayerMayHaveFibres) {
+  const std::string table = "k1 = \"24 MPa\"\nk2 = 0.1\n";
+  const Scene scene = with("[target.fibres]\n" + table + layer + "[below.fibres]\nkappa = 0.4\n" + table + layer);
+  EXPECT_EQ(scene.target.fibres, Fibres(PlanarFibres{24e6, 0.1, 0.5}));
+  EXPECT_EQ(scene.below[0].fibres, Fibres(PlanarFibres{24e6, 0.1, 0.4}));
+  EXPECT_EQ(scene.below[1].fibres, Fibres(NoFibres{}));
+  EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
+  EXPECT_THAT(refusal_with("[target.fibres]\nk1 = \"1 MPa\"\n"), HasSubstr("target.fibres.k2: found no such key"));
+  EXPECT_THAT(refusal_with("[target.fibres]\nkappa = 0.6\n" + table), HasSubstr("a number from 1/3"));
+  EXPECT_THAT(refusal_with("[target.fibres]\n" + table + "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.5\n"),
+              HasSubstr("found this beside strain in a layer with fibres"));
+}
+
 TEST(TargetToml, AtLeastOneCriterionIsGiven) {
   EXPECT_THAT(refusal_with("[target.erosion]\n"), HasSubstr("accepted: one or more of strain, stress and energy"));
   EXPECT_THAT(refusal_with("[target.erosion]\nstress = \"1 MPa\"\nmeasure = \"true\"\n"),

@@ -16,6 +16,8 @@ namespace percal {
 // within a length too: NoAverage, AverageWithin of scene/scene.hpp, in radii. Further limits of other kinds, or none: FurtherErosion
 // of scene/scene.hpp, over rho_t v^2.
 
+// A layer has fibres, or none: NoFibres, PlanarFibres of scene/scene.hpp, k1 over rho_t v^2.
+
 // The particle rubs along the target, or it does not: NoFriction, CoulombFriction of scene/scene.hpp.
 
 // The deviatoric stress relaxes, or it does not: NoRelaxation, PronySeries of scene/scene.hpp, times in radii at impact speed.
@@ -53,10 +55,11 @@ struct LowerLayer {
   double erosion_limit = 0;              // as the first layer's limit is meant; infinite: none of that kind
   FurtherErosion further_erosion = {};
   double stretch = 1;  // of its plane before the impact; 1: none
+  Fibres fibres = NoFibres{};
   bool operator==(const LowerLayer&) const = default;
 };
 
-static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
+static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoFibres> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
               std::is_empty_v<NoFriction> && std::is_empty_v<RigidSphere>);
 
 }  // namespace percal

@@ -73,6 +73,22 @@ std::string stretch_text(const Problem& p) {
   return stretched ? " stretch=[" + text + "]" : "";
 }
 
+std::string fibre_text(const Fibres& fibres) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  return planar ? fmt::format("({:.12g},{:.12g},{:.12g})", planar->k1, planar->k2, planar->kappa) : "()";
+}
+
+// Of all layers, where one has fibres.
+std::string fibres_text(const Problem& p) {
+  std::string text = fibre_text(p.fibres);
+  bool some = !std::holds_alternative<NoFibres>(p.fibres);
+  for (const LowerLayer& layer : p.below) {
+    text += fibre_text(layer.fibres);
+    some |= !std::holds_alternative<NoFibres>(layer.fibres);
+  }
+  return some ? " fibres=[" + text + "]" : "";
+}
+
 std::string relaxation_text(const Relaxation& relaxation) {
   const auto* series = std::get_if<PronySeries>(&relaxation);
   if (!series) return "";
@@ -160,7 +176,7 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,
              p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor, p.end_time, p.speed_factor) +
-         choices_text(p) + below_text(p.below) + further_erosion_text(p) + stretch_text(p) +
+         choices_text(p) + below_text(p.below) + further_erosion_text(p) + stretch_text(p) + fibres_text(p) +
          relaxation_text(p.relaxation);
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "percal/problem/particle.hpp"
 
 namespace percal {
@@ -37,6 +39,12 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
   if (problem.history_samples == 0) list.push_back({"history", "nobody asked for it"});
   if (std::holds_alternative<NoRelaxation>(problem.relaxation))
     list.push_back({"rate dependence", "the scene gives none"});
+  const auto is_stretched = [](const auto& layer) { return layer.stretch != 1; };
+  const auto has_fibres = [](const auto& layer) { return !std::holds_alternative<NoFibres>(layer.fibres); };
+  if (!is_stretched(problem) && std::ranges::none_of(problem.below, is_stretched))
+    list.push_back({"initial stretch", "the scene gives none"});
+  if (!has_fibres(problem) && std::ranges::none_of(problem.below, has_fibres))
+    list.push_back({"fibres", "the scene gives none"});
   if (problem.below.empty()) list.push_back({"further layers", "the scene has one"});
   list.push_back({"rows at rest", "rows that the wave has not reached are not advanced"});
   list.push_back({"contact away from the particle", "only nodes within reach of the particle are searched"});

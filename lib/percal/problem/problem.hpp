@@ -26,6 +26,7 @@ struct Problem {
   FurtherErosion further_erosion = {};
   ErosionAverage erosion_average = NoAverage{};
   double stretch = 1;  // of the first layer's plane before the impact; 1: none
+  Fibres fibres = NoFibres{};  // of the first layer
   Relaxation relaxation = NoRelaxation{};
 
   double elements_per_radius = 10;

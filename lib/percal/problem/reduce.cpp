@@ -74,6 +74,13 @@ FurtherErosion reduced_further(const FurtherErosion& further, double stress) {
   return {over(further.stress), over(further.energy)};
 }
 
+Fibres reduced_fibres(const Fibres& fibres, double stress) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  if (!planar) return NoFibres{};
+  return PlanarFibres{round_to_12_digits(planar->k1 / stress), round_to_12_digits(planar->k2),
+                      round_to_12_digits(planar->kappa)};
+}
+
 // The average where something erodes, in radii. Throws BadInput where the mesh is too coarse for it.
 ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
   const auto length = erosion_length(scene.target);
@@ -111,6 +118,7 @@ std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reductio
     reduced.erosion_limit = lower_limit(layer, scene, stress);
     reduced.further_erosion = reduced_further(layer.further_erosion, stress);
     reduced.stretch = round_to_12_digits(layer.stretch);
+    reduced.fibres = reduced_fibres(layer.fibres, stress);
     below.push_back(reduced);
   }
   return below;
@@ -207,6 +215,7 @@ Reduction reduce(const Scene& scene) {
   p.further_erosion = reduced_further(target.further_erosion, stress);
   p.erosion_average = reduced_average(scene, reduction);
   p.stretch = round_to_12_digits(target.stretch);
+  p.fibres = reduced_fibres(target.fibres, stress);
   need_whole_layers(scene, p);
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);

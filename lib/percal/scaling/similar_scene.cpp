@@ -18,6 +18,10 @@ void scale(ErosionBySize& by_size, double length) {
   if (auto* small = std::get_if<SmallerThanCell>(&by_size)) small->cell *= length;
 }
 
+void scale(Fibres& fibres, double pressure) {
+  if (auto* planar = std::get_if<PlanarFibres>(&fibres)) planar->k1 *= pressure;
+}
+
 // Profile, lower layers, erosion and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
 void scale_the_rest(Scene& scene, const System& prototype, const System& model) {
   const auto ratio = [&](auto member) { return required(model, member) / required(prototype, member); };
@@ -36,9 +40,11 @@ void scale_the_rest(Scene& scene, const System& prototype, const System& model) 
       *layer.erosion_limit *= pressure;
     scale(layer.further_erosion, pressure);
     scale(layer.erosion_by_size, length);
+    scale(layer.fibres, pressure);
   }
   scale(scene.target.further_erosion, pressure);
   scale(scene.target.erosion_by_size, length);
+  scale(scene.target.fibres, pressure);
   if (auto* stress = std::get_if<StressErosion>(&scene.target.erosion)) stress->limit *= pressure;
   if (auto* energy = std::get_if<EnergyErosion>(&scene.target.erosion)) energy->limit *= pressure;
   if (auto* average = std::get_if<AverageWithin>(&scene.target.erosion_average)) average->length *= length;

@@ -97,6 +97,20 @@ struct PronySeries {
 };
 using Relaxation = std::variant<NoRelaxation, PronySeries>;
 
+// --- fibres -----------------------------------------------------------------------------------------------------
+struct NoFibres {
+  bool operator==(const NoFibres&) const = default;
+};
+// In all directions of the layer's plane alike: W_f = (k1/(2 k2)) (exp(k2 E^2) - 1) where E = kappa (C_r + C_hoop) + (1 - 2 kappa) C_z -
+// 1 of the isochoric C is positive, else 0.     docs/theory/target.md, Fibres
+struct PlanarFibres {
+  double k1;           // Pa in a scene, over rho_t v^2 in a problem
+  double k2;
+  double kappa = 0.5;  // dispersion out of the plane: 1/2 none, 1/3 the same in all directions of space
+  bool operator==(const PlanarFibres&) const = default;
+};
+using Fibres = std::variant<NoFibres, PlanarFibres>;
+
 // --- the particle -----------------------------------------------------------------------------------------------
 // A sphere; in plane strain a cylinder lying on its side.
 struct RoundShape {
@@ -156,6 +170,7 @@ struct LayerScene {
   ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
   double stretch = 1;  // of the plane of the layer before the impact; the wall holds it
+  Fibres fibres = NoFibres{};
   bool operator==(const LayerScene&) const = default;
 };
 
@@ -172,6 +187,7 @@ struct LowerLayerScene {
   FurtherErosion further_erosion = {};  // of kinds that the first one has
   ErosionBySize erosion_by_size = AnySize{};
   double stretch = 1;
+  Fibres fibres = NoFibres{};
   bool operator==(const LowerLayerScene&) const = default;
 };
 

@@ -97,6 +97,15 @@ void write_volumetric(Lines& lines, const VolumetricChoice& volumetric) {
   if (const auto* bulk = std::get_if<BulkToShear>(&volumetric)) lines.number("bulk_to_shear", bulk->ratio);
 }
 
+void write_fibres(Lines& lines, const char* table, const Fibres& fibres) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  if (!planar) return;
+  lines.table(table);
+  lines.quantity("k1", planar->k1, "Pa");
+  lines.number("k2", planar->k2);
+  lines.number("kappa", planar->kappa);
+}
+
 // One line of an erosion table, in the unit that the criterion has.
 struct WriteLimit {
   Lines& lines;
@@ -139,6 +148,7 @@ void write_target(Lines& lines, const LayerScene& target) {
   if (target.width) lines.quantity("width", *target.width, "m");
   if (target.stretch != 1) lines.number("stretch", target.stretch);
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
+  write_fibres(lines, "target.fibres", target.fibres);
   if (!std::holds_alternative<NoErosion>(target.erosion)) {
     lines.table("target.erosion");
     std::visit(WriteLimit{lines, std::visit(LimitOf{}, target.erosion)}, target.erosion);
@@ -166,6 +176,7 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
     write_volumetric(lines, layer.volumetric);
     lines.quantity("depth", layer.depth, "m");
     if (layer.stretch != 1) lines.number("stretch", layer.stretch);
+    write_fibres(lines, "below.fibres", layer.fibres);
     if (!layer.erosion_limit && layer.further_erosion.is_empty()) continue;
     lines.table("below.erosion");
     if (layer.erosion_limit) std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);

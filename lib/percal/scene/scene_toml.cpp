@@ -40,6 +40,16 @@ Relaxation read_relaxation(const TomlTable& target) {
   return series;
 }
 
+Fibres read_fibres(const TomlTable& layer) {
+  const auto table = layer.optional_table("fibres");
+  if (!table) return NoFibres{};
+  const Range dispersion{.low = 1.0 / 3, .high = 0.5, .words = "a number from 1/3 (in all directions) to 1/2 (in the layer's plane)"};
+  PlanarFibres fibres{.k1 = table->quantity("k1", dimension::pressure, positive("pressure")),
+                      .k2 = table->number("k2", positive())};
+  fibres.kappa = table->number("kappa", dispersion, fibres.kappa);
+  return fibres;
+}
+
 struct OgdenAsGiven {
   double mu;  // Pa, meant as the convention says
   double alpha;
@@ -88,6 +98,7 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
   target.stretch = table.number("stretch", initial_stretches, target.stretch);
+  target.fibres = read_fibres(table);
   read_erosion(table, particle, target);
   target.relaxation = read_relaxation(table);
   return target;
@@ -105,6 +116,7 @@ std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, co
     layer.volumetric = volumetric_from(table);
     layer.depth = table.quantity("depth", dimension::length, positive("length"));
     layer.stretch = table.number("stretch", initial_stretches, layer.stretch);
+    layer.fibres = read_fibres(table);
     read_lower_erosion(table, first, layer);
     below.push_back(layer);
   }

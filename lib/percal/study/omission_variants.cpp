@@ -20,7 +20,7 @@ namespace {
 
 constexpr double wider = 2, thicker = 1.5, finer = 1.5, stiffer_layer = 2, stiffer_bulk = 4;
 constexpr double illustrated_share = 0.2;  // of the modulus that relaxes within a radius at impact speed
-constexpr double illustrated_friction = 0.1;
+constexpr double illustrated_friction = 0.1, illustrated_stretch = 1.05, illustrated_fibres = 0.1;
 constexpr double weak_hourglass = 0.1, strong_hourglass = 1, viscous_hourglass = 0.1;
 
 class Planner {
@@ -54,6 +54,7 @@ class Planner {
     friction();
     layers(depth);
     relaxation();
+    skin();
     volumetric_laws();
     eroded_nodes();
   }
@@ -151,6 +152,8 @@ class Planner {
     if (const auto* energy = std::get_if<EnergyErosion>(&s.target.erosion)) lower.erosion_limit = energy->limit;
     lower.further_erosion = s.target.further_erosion;
     lower.erosion_by_size = s.target.erosion_by_size;
+    lower.stretch = s.target.stretch;
+    lower.fibres = s.target.fibres;
     s.target.depth = from;
     s.below = {lower};
   }
@@ -188,6 +191,35 @@ class Planner {
         [time](Scene& s) {
           s.target.relaxation = PronySeries{{{illustrated_share, time}}};
         });
+  }
+
+  // Every layer's.
+  template <class Change>
+  static void each_layer(Scene& s, const Change& change) {
+    change(s.target);
+    for (LowerLayerScene& layer : s.below) change(layer);
+  }
+
+  void skin() {
+    const auto some = [this](const auto& has) {
+      return has(scene_.target) || std::ranges::any_of(scene_.below, has);
+    };
+    about(OmissionKind::physics);
+    if (some([](const auto& layer) { return layer.stretch != 1; }))
+      add("no initial stretch", "without the stretch that layers have before the impact",
+          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = 1; }); });
+    else {
+      about(OmissionKind::physics, "initial stretch", true);
+      add("initial stretch", fmt::format("an illustration: every layer stretched by {} in its plane", illustrated_stretch),
+          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = illustrated_stretch; }); });
+    }
+    about(OmissionKind::physics);
+    if (some([](const auto& layer) { return !std::holds_alternative<NoFibres>(layer.fibres); }))
+      return add("no fibres", "without the fibres of the scene",
+                 [](Scene& s) { each_layer(s, [](auto& layer) { layer.fibres = NoFibres{}; }); });
+    about(OmissionKind::physics, "fibres", true);
+    add("fibres", "an illustration: in the first layer's plane, k1 a tenth of its modulus, k2 = 1",
+        [this](Scene& s) { s.target.fibres = PlanarFibres{.k1 = illustrated_fibres * baseline_.mu_true, .k2 = 1}; });
   }
 
   void volumetric_laws() {

@@ -1,6 +1,7 @@
 // A target that is more than one layer of the plain solid: layers, other volumetric laws, stress that relaxes, erosion
 // by stress or energy, viscous hourglass control. The verbs are those of UniformSolid. docs/theory/target.md.
 #pragma once
+#include "percal/impact/kernel/fibres.hpp"
 #include "percal/impact/kernel/relaxing_stress.hpp"
 #include "percal/impact/kernel/uniform_solid.hpp"
 
@@ -13,6 +14,7 @@ struct GeneralConstants : SolidConstants<C> {
   C energy_scale;               // 2 mu/alpha^2
   C hourglass_inverse_step;     // 1/dt that the viscosity of the hourglass mode needs
   C initial_r, initial_z, initial_hoop, per_initial_jacobian;
+  C fibre_k1, fibre_k2, fibre_kappa;
   C per_squared_stretch_less_one, per_stress, per_energy;  // 1/limit of each measure where several decide
 };
 
@@ -36,6 +38,9 @@ void each_constant(GeneralConstants<A>& a, const GeneralConstants<B>& b, Take ta
   take(a.initial_z, b.initial_z);
   take(a.initial_hoop, b.initial_hoop);
   take(a.per_initial_jacobian, b.per_initial_jacobian);
+  take(a.fibre_k1, b.fibre_k1);
+  take(a.fibre_k2, b.fibre_k2);
+  take(a.fibre_kappa, b.fibre_kappa);
   take(a.per_squared_stretch_less_one, b.per_squared_stretch_less_one);
   take(a.per_stress, b.per_stress);
   take(a.per_energy, b.per_energy);
@@ -53,7 +58,8 @@ PERCAL_INLINE SharesOfLimits per_limits(const MaterialConstants& m) {
 template <class Real>
 PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& m, const ColumnShape& shape,
                                                        HourglassKind hourglass, ErosionKind erosion) {
-  GeneralConstants<Real> c{solid_constants<Real>(m, shape)};
+  GeneralConstants<Real> c{};
+  static_cast<SolidConstants<Real>&>(c) = solid_constants<Real>(m, shape);
   const double initial_jacobian = m.initial.jacobian();
   c.per_density = Real(1 / (m.density * initial_jacobian));
   c.energy_scale = Real(2 * m.mu / (m.alpha * m.alpha));
@@ -61,6 +67,9 @@ PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& 
   c.initial_z = Real(m.initial.z);
   c.initial_hoop = Real(m.initial.hoop);
   c.per_initial_jacobian = Real(1 / initial_jacobian);
+  c.fibre_k1 = Real(m.fibres.k1);
+  c.fibre_k2 = Real(m.fibres.k2);
+  c.fibre_kappa = Real(m.fibres.kappa);
   if (hourglass == HourglassKind::viscosity) {
     const double impedance = __builtin_sqrt((m.bulk + 4.0 / 3 * m.mu) * m.density);
     const double length = __builtin_sqrt(shape.width * shape.height);
@@ -136,8 +145,10 @@ class GeneralSolid {
     return kirchhoff_pressure(view_.pressure_law, s.jacobian, constants_.bulk) - q * s.jacobian;
   }
 
-  PERCAL_INLINE void relax(int j, const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
-                           Piola<V>& P) {
+  // Of fibres, and what relaxation has changed.
+  PERCAL_INLINE void add_further_stress(int j, const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
+                                        Piola<V>& P) {
+    if (view_.has_fibres) add_fibres(F, s, P);
     if (view_.relaxation.terms == 0) return;
     const auto change = relaxing_stress_.advance(j, F, second_piola(s, t));
     relaxing_work_ = per_mesh_volume(change.work);
@@ -154,6 +165,7 @@ class GeneralSolid {
     const V volumetric = volumetric_stiffness(view_.pressure_law, s.jacobian, constants_.bulk);
     StepBound<V> bound = bound_between(volumetric, s, g, t, per);
     if (view_.relaxation.terms > 0) bound.stiffness += stiffer_ * bound.over_stretch;
+    if (view_.has_fibres) bound.stiffness += fibre_stiffness_ * bound.over_stretch;
     return bound;
   }
   PERCAL_INLINE V inverse_step(const StepBound<V>& bound, V drag_times_density) const {
@@ -204,8 +216,16 @@ class GeneralSolid {
     return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
   }
   PERCAL_INLINE V energy(const Stretches<V>& s, const IsochoricPowers<V>& g) const {
-    return isochoric_energy(g, constants_.energy_scale) +
-           volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+    const V matrix = isochoric_energy(g, constants_.energy_scale) +
+                     volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+    return view_.has_fibres ? matrix + fibre_energy_ : matrix;
+  }
+  PERCAL_INLINE void add_fibres(const Gradient<V>& F, const Stretches<V>& s, Piola<V>& P) {
+    const auto fibres = fibre_response(F, s, constants_.fibre_k1, constants_.fibre_k2, constants_.fibre_kappa);
+    const Piola<V>& more = fibres.stress;
+    P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+    fibre_energy_ = fibres.energy;
+    fibre_stiffness_ = fibres.stiffness;
   }
   // The unstretched element has sides of its own.
   PERCAL_INLINE StepBound<V> bound_between(V volumetric, const Stretches<V>& s, const IsochoricPowers<V>& g,
@@ -250,6 +270,7 @@ class GeneralSolid {
   int valid_below_ = -1;
   // Of the group at hand.
   V hourglass_work_{}, hourglass_work_if_gone_{}, relaxing_work_{}, relaxing_work_if_gone_{}, stiffer_{};
+  V fibre_energy_{}, fibre_stiffness_{};
   // Of the column.
   V dissipated_{}, relaxed_{};
 };

@@ -84,7 +84,7 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
         current_length * (material.linear_viscosity + material.quadratic_viscosity * current_length * closing);
     V q = again ? old_viscous : damping * closing;
     Piola<V> P = first_piola(F, s, t, solid.volumetric_stress(s, q));
-    solid.relax(j, F, s, t, P);
+    solid.add_further_stress(j, F, s, t, P);
 
     const StepBound<V> bound = solid.bound_of_step(s, g, t, per);
     const V inverse_step = solid.inverse_step(bound, damping * s.jacobian * bound.over_stretch);

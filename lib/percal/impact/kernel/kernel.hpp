@@ -54,6 +54,12 @@ struct InitialStretch {
   bool is_none() const { return r == 1 && z == 1 && hoop == 1; }
 };
 
+// PlanarFibres of scene/scene.hpp, which brings too much here.
+struct FibreConstants {
+  double k1 = 0, k2 = 1, kappa = 0.5;
+  bool is_none() const { return k1 == 0; }
+};
+
 struct MaterialConstants {
   double mu, bulk, alpha;
   double hourglass;             // stiffness of the hourglass mode over mu, or its viscosity over the wave impedance
@@ -67,6 +73,7 @@ struct MaterialConstants {
   // Beside erosion_stretch, where the first limit reached decides (ErosionKind::several); infinite likewise.
   double stress_limit = 1e30, energy_limit = 1e30;
   InitialStretch initial = {};
+  FibreConstants fibres = {};
 };
 inline constexpr double no_erosion = 1e15;  // limits from here on are infinite
 
@@ -124,6 +131,7 @@ struct GeneralSolidView {
   HourglassView<Real> hourglass;
   RelaxationView<Real> relaxation;
   bool is_stretched;  // before the impact: some layer
+  bool has_fibres;    // some layer
   double time = 0;  // of the displacements
 };
 

@@ -126,7 +126,8 @@ class UniformSolid {
   PERCAL_INLINE V volumetric_stress(const Stretches<V>& s, V q) const {
     return kirchhoff_pressure(PressureLaw::log_quadratic, s.jacobian, constants_.bulk) - q * s.jacobian;
   }
-  PERCAL_INLINE void relax(int, const Gradient<V>&, const Stretches<V>&, const PrincipalStress<V>&, Piola<V>&) const {}
+  PERCAL_INLINE void add_further_stress(int, const Gradient<V>&, const Stretches<V>&, const PrincipalStress<V>&,
+                                        Piola<V>&) const {}
   PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
                                            const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
     return step_bound(s, g, t, constants_.mu, constants_.bulk, per.width2, per.height2, per.hoop2);

@@ -28,6 +28,7 @@ struct Layer {
   double erosion_limit;  // as the scene means it
   FurtherErosion further_erosion = {};
   double stretch;  // of its plane, before the impact
+  Fibres fibres;
   bool erodes() const { return erosion_limit < infinite || !further_erosion.is_empty(); }
   double wave_speed() const { return std::sqrt((bulk + 4.0 / 3 * mu) / density); }
 };
@@ -42,12 +43,13 @@ struct LimitOf {
 
 std::vector<Layer> layers_of(const Problem& p) {
   std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion,
-                             p.stretch}};
+                             p.stretch, p.fibres}};
   const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
   for (const LowerLayer& below : p.below)
     layers.push_back(
         {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite,
-         erodes ? below.further_erosion : FurtherErosion{}, below.stretch});
+         erodes ? below.further_erosion : FurtherErosion{}, below.stretch,
+         below.fibres});
   return layers;
 }
 
@@ -127,9 +129,10 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
                         .density = layer.density,
                         .erosion_limit = infinite};
     set_erosion_limit(c, layer, p);
+    if (const auto* fibres = std::get_if<PlanarFibres>(&layer.fibres)) c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
     c.initial = initial_stretch(
         layer.stretch, p.geometry,
-        {layer.mu * lasting_share_of(p.relaxation), layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)});
+        {{layer.mu * lasting_share_of(p.relaxation), layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
     if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
@@ -157,8 +160,12 @@ TargetSolid::TargetSolid(const Problem& problem, const std::vector<LayerRows>& r
 
 bool TargetSolid::is_plain() const {
   return layers.size() == 1 && pressure_law == PressureLaw::log_quadratic &&
-         hourglass_kind == HourglassKind::stiffness && relaxation.empty() && !is_stretched() &&
+         hourglass_kind == HourglassKind::stiffness && relaxation.empty() && !is_stretched() && !has_fibres() &&
          (erosion_kind == ErosionKind::stretch || erosion_kind == ErosionKind::averaged_energy);
+}
+
+bool TargetSolid::has_fibres() const {
+  return std::ranges::any_of(layers, [](const SolidLayer& layer) { return !layer.material.fibres.is_none(); });
 }
 
 bool TargetSolid::is_stretched() const {
@@ -193,7 +200,8 @@ GeneralSolidView<Real> TargetSolid::view(Block<Real>& block) const {
                               .erosion_kind = erosion_kind,
                               .hourglass = block.hourglass_velocity(),
                               .relaxation = block.relaxation(),
-                              .is_stretched = is_stretched()};
+                              .is_stretched = is_stretched(),
+                              .has_fibres = has_fibres()};
   view.relaxation.terms = static_cast<int>(relaxation.size());
   for (std::size_t k = 0; k < relaxation.size(); ++k) view.relaxation.term[k] = relaxation[k];
   return view;

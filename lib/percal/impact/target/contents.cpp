@@ -20,10 +20,16 @@ std::array<long, 4> corners_of(const Block<Real>& block, int column, int row) {
   return {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1), block.at(column, row + 1)};
 }
 
-// Of the solid when all that can relax has relaxed.
-scalar::ElasticConstants lasting_constants(const TargetSolid& solid, int row) {
+ElasticSolid instantaneous_solid(const TargetSolid& solid, int row) {
   const MaterialConstants& material = solid.of_row(row);
-  return {material.mu * solid.lasting_share(), material.bulk, material.alpha, solid.pressure_law};
+  return {{material.mu, material.bulk, material.alpha, solid.pressure_law}, material.fibres};
+}
+
+// When all that can relax has relaxed.
+ElasticSolid lasting_solid(const TargetSolid& solid, int row) {
+  ElasticSolid lasting = instantaneous_solid(solid, row);
+  lasting.matrix.mu *= solid.lasting_share();
+  return lasting;
 }
 
 // What has not relaxed yet: overstress of the Prony series on top of the share that lasts, docs/theory/target.md (6).
@@ -37,11 +43,6 @@ scalar::Piola<double> unrelaxed(const Block<Real>& block, long element, const sc
   return scalar::pushed(F, overstress);
 }
 
-double energy_density(const scalar::ElasticConstants& elastic, const scalar::Gradient<double>& F) {
-  const auto s = scalar::stretches(F);
-  return scalar::strain_energy(elastic, s, scalar::isochoric_powers(F, s, elastic.alpha));
-}
-
 // Over the unstretched solid.
 template <class Real>
 scalar::Gradient<double> whole_gradient(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
@@ -52,14 +53,12 @@ scalar::Gradient<double> whole_gradient(const Block<Real>& block, const TargetSo
 
 template <class Real>
 CellState state_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
-  const scalar::ElasticConstants lasting = lasting_constants(solid, row);
+  const ElasticSolid lasting = lasting_solid(solid, row);
   const auto F = whole_gradient(block, solid, column, row);
-  const auto s = scalar::stretches(F);
-  const auto g = scalar::isochoric_powers(F, s, lasting.alpha);
-  auto P = scalar::elastic_piola(lasting, F, s, g);
+  auto P = lasting.first_piola(F);
   const auto more = unrelaxed(block, block.at(column, row), F);
   P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
-  CellState state = cell_state(F, P, scalar::strain_energy(lasting, s, g));
+  CellState state = cell_state(F, P, lasting.energy_density(F));
   state.stress[3] = 0 - state.stress[3];  // z is downwards, y upwards
   return state;
 }
@@ -78,11 +77,9 @@ template <class Real>
 Measures measures_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
   const CellState state = state_of(block, solid, column, row);
   const auto& [rr, zz, hoop, rz] = state.stress;
-  const MaterialConstants& material = solid.of_row(row);
-  const scalar::ElasticConstants instantaneous{material.mu, material.bulk, material.alpha, solid.pressure_law};
   return {state.stretches[0] * state.stretches[0],
           std::max(0.5 * (rr + zz) + std::hypot(0.5 * (rr - zz), rz), hoop),
-          energy_density(instantaneous, whole_gradient(block, solid, column, row))};
+          instantaneous_solid(solid, row).energy_density(whole_gradient(block, solid, column, row))};
 }
 
 }  // namespace
@@ -108,7 +105,7 @@ scalar::Gradient<double> element_gradient(const Block<Real>& block, int column, 
 template <class Real>
 ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid, int column, int row,
                              double last_step) {
-  const scalar::ElasticConstants lasting = lasting_constants(solid, row);
+  const ElasticSolid lasting = lasting_solid(solid, row);
   const auto& view = block.view();
   const auto& shape = block.shapes()[column];
   const auto corner = corners_of(block, column, row);
@@ -123,16 +120,14 @@ ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid,
     mode_r += hourglass_mode[a] * view.u_r[corner[a]];
     mode_z += hourglass_mode[a] * view.u_z[corner[a]];
   }
-  const auto s = scalar::stretches(F);
-  const auto g = scalar::isochoric_powers(F, s, lasting.alpha);
   const double stiffness =
       solid.hourglass_kind == HourglassKind::stiffness ? scalar::hourglass_stiffness(solid.of_row(row), shape) : 0;
   ElementEnergy energy;
-  energy.elastic = unstretched_volume * scalar::strain_energy(lasting, s, g);
-  if (!initial.is_none()) energy.elastic -= unstretched_volume * energy_density(lasting, gradient_of(initial));
+  energy.elastic = unstretched_volume * lasting.energy_density(F);
+  if (!initial.is_none()) energy.elastic -= unstretched_volume * lasting.energy_density(gradient_of(initial));
   energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
   if (last_step > 0) {
-    const auto P = scalar::elastic_piola(lasting, F, s, g);
+    const auto P = lasting.first_piola(F);
     double power = 0;
     for (int a = 0; a < 4; ++a) {
       const double nr = initial.r * along_r[a] / width, nz = initial.z * along_z[a] / height,

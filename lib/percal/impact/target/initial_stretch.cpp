@@ -12,12 +12,6 @@ namespace {
 // Of the face's stress; between them is every solid's root.
 constexpr double least_log_thickness = -4, most_log_thickness = 4;
 
-double stress_at_the_face(const InitialStretch& initial, const scalar::ElasticConstants& solid) {
-  const auto F = gradient_of(initial);
-  const auto s = scalar::stretches(F);
-  return scalar::elastic_piola(solid, F, s, scalar::isochoric_powers(F, s, solid.alpha)).zz;
-}
-
 double limit_of(const TargetSolid& solid, const MaterialConstants& material) {
   switch (solid.erosion_kind) {
     case ErosionKind::several: return 1;
@@ -41,13 +35,13 @@ scalar::Gradient<double> gradient_of(const InitialStretch& initial) {
 }
 
 // By halves in ln of the thickness, to the last bit: the face's stress rises with it.
-InitialStretch initial_stretch(double in_plane, Geometry geometry, const scalar::ElasticConstants& lasting) {
+InitialStretch initial_stretch(double in_plane, Geometry geometry, const ElasticSolid& lasting) {
   if (in_plane == 1) return {};
   InitialStretch initial{.r = in_plane, .z = 1, .hoop = geometry == Geometry::plane_strain ? 1 : in_plane};
   double low = least_log_thickness, high = most_log_thickness;
   for (double middle = 0; middle != low && middle != high; middle = 0.5 * (low + high)) {
     initial.z = std::exp(middle);
-    (stress_at_the_face(initial, lasting) < 0 ? low : high) = middle;
+    (lasting.first_piola(gradient_of(initial)).zz < 0 ? low : high) = middle;
   }
   return initial;
 }
