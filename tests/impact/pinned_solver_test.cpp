@@ -117,7 +117,8 @@ std::vector<PinnedRun> pinned_runs() {
 
 std::string numbers_of(const EnergyLedger& energy) {
   std::string text;
-  for (const auto& [key, share, words] : energy_terms) text += fmt::format(" {:a}", energy.*share);
+  for (const auto& [key, share, words] : energy_terms)
+    if (share != &EnergyLedger::friction) text += fmt::format(" {:a}", energy.*share);  // of which none of these runs has any
   return text;
 }
 

@@ -99,6 +99,7 @@ class ColumnWalk {
     F.zr = (z_ac + z_bd) * half_per_width_;
     F.zz = (z_ac - z_bd) * half_per_height_ + Real(1);
     F.hoop = larger(((ra + rc) + (rb + rd)) * quarter_per_radius_ + Real(1), broadcast<V>(Real(1e-3)));
+    solid_.add_initial_stretch(F);
     const auto hourglass = solid_.hourglass_force(j, (ra - rb) + (rc - rd), (za - zb) + (zc - zd));
 
     // Compute.
@@ -112,7 +113,7 @@ class ColumnWalk {
         current_length * (material.linear_viscosity + material.quadratic_viscosity * current_length * closing);
     V q = again_ ? old_viscous : damping * closing;
     Piola<V> P = first_piola(F, s, t, solid_.volumetric_stress(s, q));
-    solid_.relax(j, F, s, t, P);
+    solid_.add_further_stress(j, F, s, t, P);
 
     const StepBound<V> bound = solid_.bound_of_step(s, g, t, per_);
     const V inverse_step = solid_.inverse_step(bound, damping * s.jacobian * bound.over_stretch);
@@ -128,7 +129,8 @@ class ColumnWalk {
       const V why = select(at_limit, broadcast<V>(Real(-1)), broadcast<V>(Real(-2)));
       store(alive_ + j, select(gone, why, load<V>(alive_ + j)));
       report_.doomed += static_cast<int>(lane_sum(select(gone, broadcast<V>(Real(1)), zero)));
-      add(work_, select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero));
+      const V lost = select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero);
+      add(work_, solid_.per_mesh_volume(lost));
       live = live & ~gone;
     }
     solid_.close_group(j, live, gone);
@@ -137,10 +139,12 @@ class ColumnWalk {
     flag(steep > watched_, j);
     steepest_ = largest(steepest_, steep);
     tightest_ = smallest(tightest_, select(live, s.unbounded_jacobian, broadcast<V>(Real(1e30))));
-    add(work_, select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero));
+    const V lost = select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero);
+    add(work_, solid_.per_mesh_volume(lost));
     store(jacobian_ + j, s.jacobian);
     store(viscous_ + j, q);
 
+    solid_.refer_to_mesh(P);
     // Scatter. The hourglass force comes last everywhere, so that a mirrored scene has mirrored bits.
     const V rr = P.rr * to_r_, rz = P.rz * to_z_, zr = P.zr * to_r_, zz = P.zz * to_z_, hoop = P.hoop * to_hoop_;
     const V sum_r = rr + rz, difference_r = rr - rz, sum_z = zr + zz, difference_z = zr - zz;

@@ -112,6 +112,14 @@ class UniformSolid {
 
   // Rows j to j + lanes come next.
   PERCAL_INLINE const SolidConstants<Real>& at(int) const { return constants_; }
+  // From the gradient over the mesh to that over the unstretched solid, and back from its first Piola stress and from an energy per
+  // volume of it: the plain solid has no initial stretch.
+  template <class V>
+  PERCAL_INLINE void add_initial_stretch(Gradient<V>&) const {}
+  template <class V>
+  PERCAL_INLINE void refer_to_mesh(Piola<V>&) const {}
+  template <class V>
+  PERCAL_INLINE V per_mesh_volume(V energy) const { return energy; }
   // From the displacements of the mode.
   template <class V>
   PERCAL_INLINE CornerForce<V> hourglass_force(int, V mode_r, V mode_z) const {
@@ -123,7 +131,8 @@ class UniformSolid {
     return kirchhoff_pressure(PressureLaw::log_quadratic, s.jacobian, constants_.bulk) - q * s.jacobian;
   }
   template <class V>
-  PERCAL_INLINE void relax(int, const Gradient<V>&, const Stretches<V>&, const PrincipalStress<V>&, Piola<V>&) const {}
+  PERCAL_INLINE void add_further_stress(int, const Gradient<V>&, const Stretches<V>&, const PrincipalStress<V>&,
+                                        Piola<V>&) const {}
   template <class V>
   PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
                                            const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
