@@ -230,7 +230,7 @@ class Planner {
     for (const auto& [law, name] : laws)
       if (law != scene_.solver.volumetric_law)
         add(fmt::format("volumetric law {}", name), "another energy of the change in volume, with the same K",
-            [law](Scene& s) { s.solver.volumetric_law = law; });
+            [law = law](Scene& s) { s.solver.volumetric_law = law; });
   }
 
   void eroded_nodes() {

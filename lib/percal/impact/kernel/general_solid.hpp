@@ -93,6 +93,7 @@ class GeneralSolid {
   using V = typename VectorOf<Real>::type;
   using Constants = GeneralConstants<V>;
   static constexpr int lanes = Lane<V>::count;
+  static constexpr bool in_pairs = false;
 
   GeneralSolid(const FieldsView<Real>& fields, const GeneralSolidView<Real>& view, const ColumnShape& shape, int column,
                double previous_step)

@@ -5,15 +5,6 @@
 namespace percal {
 namespace {
 
-// The part of `count` columns that falls to a worker.
-struct Part {
-  int begin, end;
-};
-Part part_of(int count, int worker, int workers) {
-  return {static_cast<int>(static_cast<long>(count) * worker / workers),
-          static_cast<int>(static_cast<long>(count) * (worker + 1) / workers)};
-}
-
 template <class Real>
 auto plain_forces_of(const Kernel<Real>& kernel, const TargetSolid& solid) -> decltype(kernel.internal_forces) {
   if (!solid.is_plain()) return nullptr;
@@ -38,6 +29,8 @@ Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real
       holds_axis_(block.mesh().radius.front() == 0),
       averaged_(problem, block, solid_),
       team_(std::clamp(threads, 1, block.mesh().columns())),
+      all_parts_(even_parts()),
+      near_parts_(all_parts_),
       far_seams_(team_.workers()),
       near_seams_(team_.workers()),
       far_reports_(block.mesh().columns()),
@@ -51,17 +44,43 @@ Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real
 }
 
 template <class Real>
+auto Sweep<Real>::even_parts() const -> Parts {
+  Parts parts;
+  for (long worker = 0; worker <= team_.workers(); ++worker)
+    parts.push_back(static_cast<int>(block_.mesh().columns() * worker / team_.workers()));
+  return parts;
+}
+
+template <class Real>
+auto Sweep<Real>::parts_of(const NearCells& near) const -> Parts {
+  const int columns = block_.mesh().columns();
+  std::vector<double> work{0};  // of the columns before
+  for (int i = 0; i < columns; ++i) {
+    work.push_back(work.back());
+    for (const Rows& run : near.elements(i)) work.back() += run.end - run.begin + kernel_.lanes;
+  }
+  Parts parts{0};
+  for (int worker = 1; worker < team_.workers(); ++worker) {
+    const double share = work.back() * worker / team_.workers();
+    parts.push_back(static_cast<int>(std::lower_bound(work.begin(), work.end() - 1, share) - work.begin()));
+  }
+  parts.push_back(columns);
+  return parts;
+}
+
+template <class Real>
 SweepReport Sweep<Real>::all(const NearCells& near, int rows, double last_far_step, double last_step) {
   const int columns = block_.mesh().columns();
+  if (team_.workers() > 1 && !near.empty()) near_parts_ = parts_of(near);
   team_.each([&](int worker) {
-    const Part mine = part_of(columns, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i) {
-      far_column(i, i == mine.begin, i > 0 ? &far_seams_[worker] : nullptr, near, rows, last_far_step);
-      if (!near.empty()) near_column(i, i == mine.begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
+    const int begin = all_parts_[worker];
+    for (int i = begin; i < all_parts_[worker + 1]; ++i) {
+      far_column(i, i == begin, i > 0 ? &far_seams_[worker] : nullptr, near, rows, last_far_step);
+      if (!near.empty()) near_column(i, i == begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
     }
   });
-  merge(block_.far_forces(), far_seams_, whole_groups(rows));
-  if (!near.empty()) merge(block_.near_forces(), near_seams_, whole_groups(rows));
+  merge(block_.far_forces(), far_seams_, all_parts_, whole_groups(rows));
+  if (!near.empty()) merge(block_.near_forces(), near_seams_, all_parts_, whole_groups(rows));
 
   SweepReport sum;
   for (int i = 0; i < columns; ++i) {
@@ -78,11 +97,11 @@ template <class Real>
 SweepReport Sweep<Real>::near_only(const NearCells& near, double last_step) {
   const int columns = block_.mesh().columns();
   team_.each([&](int worker) {
-    const Part mine = part_of(columns, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i)
-      near_column(i, i == mine.begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
+    const int begin = near_parts_[worker];
+    for (int i = begin; i < near_parts_[worker + 1]; ++i)
+      near_column(i, i == begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
   });
-  merge(block_.near_forces(), near_seams_, block_.view().stride - kernel_.lanes);
+  merge(block_.near_forces(), near_seams_, near_parts_, block_.view().stride - kernel_.lanes);
   SweepReport sum;
   for (int i = 0; i < columns; ++i) {
     take_in(near_reports_[i], sum.near_inverse_step, sum);
@@ -148,9 +167,10 @@ void Sweep<Real>::near_column(int column, bool first, Seam* seam, const NearCell
 }
 
 template <class Real>
-void Sweep<Real>::merge(const NodeForces<Real>& forces, std::vector<Seam>& seams, int rows) {
+void Sweep<Real>::merge(const NodeForces<Real>& forces, std::vector<Seam>& seams, const Parts& parts, int rows) {
   for (int worker = 1; worker < team_.workers(); ++worker) {
-    const long start = block_.at(part_of(block_.mesh().columns(), worker, team_.workers()).begin, 0);
+    if (parts[worker] == parts[worker + 1] || parts[worker] == 0) continue;
+    const long start = block_.at(parts[worker], 0);
     Seam& seam = seams[worker];
     for (int j = 0; j < rows + kernel_.lanes; ++j) {
       forces.r[start + j] += seam.r[j];
@@ -169,11 +189,16 @@ void Sweep<Real>::take_in(const ColumnReport& report, double& inverse_step, Swee
   inverse_step = std::max(inverse_step, report.largest_inverse_step);
 }
 
+// The last worker moves the last column of nodes, too.
+template <class Real>
+int Sweep<Real>::end_of_nodes(const Parts& parts, int worker) const {
+  return parts[worker + 1] + (worker + 1 == team_.workers() ? 1 : 0);
+}
+
 template <class Real>
 void Sweep<Real>::move_far(const NearCells& near, int rows, double kick, double drift) {
   team_.each([&](int worker) {
-    const Part mine = part_of(block_.mesh().columns() + 1, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i) {
+    for (int i = all_parts_[worker]; i < end_of_nodes(all_parts_, worker); ++i) {
       const auto move = [&](Rows run, double far) {
         kernel_.kick_and_drift(block_.view(), block_.far_forces(), i, run, held(i), kick, far);
       };
@@ -192,8 +217,7 @@ template <class Real>
 void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
   if (near.empty()) return;
   team_.each([&](int worker) {
-    const Part mine = part_of(block_.mesh().columns() + 1, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i)
+    for (int i = near_parts_[worker]; i < end_of_nodes(near_parts_, worker); ++i)
       for (const Rows& run : near.nodes(i))
         kernel_.kick_and_drift(block_.view(), block_.near_forces(), i, run, held(i), kick, drift);
   });

@@ -8,6 +8,28 @@
 #include "percal/base/threads.hpp"
 
 namespace percal {
+namespace {
+
+// About 20 microseconds: as long as a worker of an even share is waited for. To be woken up takes as long.
+constexpr int looks = 400;
+
+void breathe() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+// Returns when `number` is not `value` any more: looks a while, then sleeps.
+template <class T>
+void wait_while(const std::atomic<T>& number, T value) {
+  for (int look = 0; look < looks; ++look) {
+    if (number.load(std::memory_order_acquire) != value) return;
+    breathe();
+  }
+  number.wait(value);
+}
+
+}  // namespace
 
 Team::Team(int workers) : threads_(threads_to_be_had(workers - 1, [this](int worker) { serve(worker); })) {}
 
@@ -38,7 +60,7 @@ void Team::each(const std::function<void(int)>& work) {
     call_.notify_all();
   }
   take_part(0);
-  for (int left = busy_; left > 0; left = busy_) busy_.wait(left);
+  for (int left = busy_; left > 0; left = busy_) wait_while(busy_, left);
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
@@ -53,7 +75,7 @@ void Team::take_part(int worker) {
 
 void Team::serve(int worker) {
   for (long seen = 0;;) {
-    call_.wait(seen);
+    wait_while(call_, seen);
     ++seen;
     if (over_) return;
     take_part(worker);
