@@ -23,17 +23,17 @@ scalar::FibreResponse<double> response(const scalar::Gradient<double>& F, const 
 scalar::Gradient<double> principal(double r, double z, double hoop) { return {r, 0, 0, z, hoop}; }
 
 // dW/dlambda of the stretch given, volume kept, by the formula; the two others go with it.
-struct ClosedForm {
+struct FibreForm {
   double energy, slope;
 };
-ClosedForm closed(double invariant, double change_of_invariant) {
+FibreForm closed(double invariant, double change_of_invariant) {
   const double E = invariant - 1;
   if (E <= 0) return {0, 0};
   const double grown = std::exp(fibres.k2 * E * E);
   return {fibres.k1 / (2 * fibres.k2) * (grown - 1), fibres.k1 * E * grown * change_of_invariant};
 }
 
-TEST(Fibres, UniaxialEquibiaxialAndPlanarStatesAreTheClosedForms) {
+TEST(Fibres, UniaxialEquibiaxialAndPlanarStatesAreTheFibreForms) {
   const double k = fibres.kappa, through = 1 - 2 * k;
   for (const double l : {0.7, 0.9, 1.1, 1.4, 1.8}) {
     // Along r: 1/sqrt(l) across. Along z. Equibiaxial in the plane. Planar: r against z, the hoop held.
@@ -52,7 +52,7 @@ TEST(Fibres, UniaxialEquibiaxialAndPlanarStatesAreTheClosedForms) {
          -1 / (l * l), 0}};
     for (const auto& state : states) {
       const auto found = response(state.F);
-      const ClosedForm expected = closed(state.invariant, state.change);
+      const FibreForm expected = closed(state.invariant, state.change);
       EXPECT_NEAR(found.energy, expected.energy, 1e-12 * (1 + expected.energy)) << l;
       const double slope =
           found.stress.rr * state.rate_r + found.stress.zz * state.rate_z + found.stress.hoop * state.rate_hoop;
