@@ -28,16 +28,27 @@ std::string fitted_line(const std::string& line, std::size_t columns) {
   return text;
 }
 
+// A command that is too long for the terminal goes on in the next line, as a shell reads it.
+std::string fitted_example(const std::string& line, std::size_t columns) {
+  const auto start = line.find("percal");
+  if (line.size() <= columns || start == std::string::npos || start + 30 > columns) return line + "\n";
+  std::string text;
+  for (const std::string& words : page::folded(line.substr(start), columns - start - 4))
+    text += (text.empty() ? line.substr(0, start) : " \\\n" + std::string(start + 2, ' ')) + words;
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string fitted_help(const std::string& help, int columns) {
   if (columns <= 0) return help;
   std::istringstream lines(help);
   std::string text;
+  const auto width = static_cast<std::size_t>(columns);
   bool examples = false;
   for (std::string line; std::getline(lines, line);) {
     examples = examples || line.starts_with("Example");
-    text += examples ? line + "\n" : fitted_line(line, static_cast<std::size_t>(columns));
+    text += examples ? fitted_example(line, width) : fitted_line(line, width);
   }
   return text;
 }

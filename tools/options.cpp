@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "percal/card/solver.hpp"
+#include "percal/scene/scene.hpp"
+#include "percal/units/words.hpp"
+
 namespace percal::tools {
 namespace {
 

@@ -77,8 +77,8 @@ set yrange [8:70]
 set ytics (10,20,30,40,60)
 set xrange [0.25:0.85]
 set key top right samplen 1.5
-plot $ours using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb "#1b6ca8" title "percal", $ours using 1:2 with lines lc rgb "#1b6ca8" notitle, \\
-     $theirs using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb "#c8553d" title "Guha 2009 (LS-DYNA)"
+plot $ours using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb "#0072b2" title "percal", $ours using 1:2 with lines lc rgb "#0072b2" notitle, \\
+     $theirs using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb "#d55e00" title "Guha 2009 (LS-DYNA)"
 unset logscale y
 set title "Gold into skin, nine cases"
 set xlabel "measured depth, um"
@@ -87,8 +87,8 @@ set xrange [0:40]
 set yrange [0:40]
 set ytics 10
 set key bottom right
-plot x with lines lc rgb "#999999" dt 2 notitle, $percal using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb "#1b6ca8" title "percal", \\
-     $thesis using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb "#c8553d" title "Guha 2009 (LS-DYNA)"
+plot x with lines lc rgb "#999999" dt 2 notitle, $percal using 1:2:3 with yerrorbars pt 7 ps 0.8 lc rgb "#0072b2" title "percal", \\
+     $thesis using 1:2 with points pt 6 ps 1.1 lw 1.5 lc rgb "#d55e00" title "Guha 2009 (LS-DYNA)"
 """, size="900,420")
 
 

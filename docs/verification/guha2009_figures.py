@@ -1,7 +1,7 @@
 """The figures of docs/verification/guha2009.md, drawn by gnuplot: measured filled, percal open, in the colour of the material."""
 from harness import data_block, draw
 
-COLOURS = {"steel 3.18": "#1b6ca8", "steel 2.39": "#3a9d9d", "steel 1.59": "#7aa6d1", "titanium": "#8a5fa8", "tungsten carbide": "#c8553d", "PMMA": "#b8860b"}
+COLOURS = {"steel 3.18": "#0072b2", "steel 2.39": "#0fa569", "steel 1.59": "#7878ff", "titanium": "#a55a3c", "tungsten carbide": "#d55e00", "PMMA": "#693cff"}
 DENSITY = {"steel": 7800, "titanium": 4540, "tungsten carbide": 15600, "PMMA": 1150}
 MU_GELATIN, RHO_GELATIN = 113e3, 1010
 
@@ -40,11 +40,11 @@ set ylabel "{y}"
     def mesh(self, found):
         one = [(r.elements, 1e6 * r.depth, 1e6 * (r.spread or 0)) for _, r in found]
         self.draw("guha2009_3_5", "Figure 3-5: gold, 580 m/s, 4.2 MPa, erosion strain 0.6", "elements in the skin layer", "depth, um",
-                  [("percal (bars: spread of three runs)", one, 'using 1:2:3 with yerrorlines pt 7 ps 0.8 lc rgb "#1b6ca8"')], "set xrange [0:230000]\nset xtics 50000\nset yrange [55:75]")
+                  [("percal (bars: spread of three runs)", one, 'using 1:2:3 with yerrorlines pt 7 ps 0.8 lc rgb "#0072b2"')], "set xrange [0:230000]\nset xtics 50000\nset yrange [55:75]")
 
     def gold(self, rows, ours):
         series = []
-        for a, colour in ((0.6, "#b8860b"), (1.0, "#1b6ca8"), (1.4, "#c8553d")):
+        for a, colour in ((0.6, "#693cff"), (1.0, "#0072b2"), (1.4, "#d55e00")):
             kept = [(row, p) for row, p in zip(rows, ours) if row["radius_um"] == a]
             x = lambda row: 16800 * row["velocity_m_s"] * row["radius_um"] * 1e-6
             series += [(f"{a} um, measured", [(x(r), r["penetration_um"]) for r, _ in kept], f'with points pt 7 ps 1.1 lc rgb "{colour}"'),
@@ -56,8 +56,8 @@ set ylabel "{y}"
         found = [r for r in ridge if r["mu_as_given_Pa"]]
         error = lambda r: r["mu_as_given_Pa"] / 1e6 * (r["relative_error_solver"] ** 2 + r["relative_error_data"] ** 2) ** 0.5
         self.draw("guha2009_ridge", "Table 4-1: modulus and erosion strain that give 26 um", "erosion strain, engineering", "modulus as given, MPa", [
-            ("printed", [(r["erosion_strain"], r["table_mu_as_given_Pa"] / 1e6) for r in found if "table_mu_as_given_Pa" in r], 'with points pt 7 ps 1.2 lc rgb "#c8553d"'),
-            ("percal", [(r["erosion_strain"], r["mu_as_given_Pa"] / 1e6, error(r)) for r in found], 'using 1:2:3 with yerrorlines pt 6 ps 1 lc rgb "#1b6ca8"')],
+            ("printed", [(r["erosion_strain"], r["table_mu_as_given_Pa"] / 1e6) for r in found if "table_mu_as_given_Pa" in r], 'with points pt 7 ps 1.2 lc rgb "#d55e00"'),
+            ("percal", [(r["erosion_strain"], r["mu_as_given_Pa"] / 1e6, error(r)) for r in found], 'using 1:2:3 with yerrorlines pt 6 ps 1 lc rgb "#0072b2"')],
             "set logscale y\nset yrange [8:70]\nset ytics (10,20,30,40,60)\nset xrange [0.25:0.85]")
 
     def balls(self, rows, ours):
@@ -91,7 +91,7 @@ set ylabel "{y}"
             at_100.append((one, at([r["penetration_cm"] for r, _ in shots[one]]), at([100 * p["depth_m"] for _, p in shots[one]])))
         found = {one: (a, b) for one, a, b in at_100}
         steel = sorted((shots[n][0][0]["diameter_corrected_mm"] / 2, *found[n]) for n in names if n.startswith("steel"))
-        measured, percal = 'using 1:2 with linespoints pt 7 ps 1.1 lc rgb "#1b6ca8"', 'using 1:3 with linespoints pt 6 ps 1.1 dt 2 lw 1.3 lc rgb "#c8553d"'
+        measured, percal = 'using 1:2 with linespoints pt 7 ps 1.1 lc rgb "#0072b2"', 'using 1:3 with linespoints pt 6 ps 1.1 dt 2 lw 1.3 lc rgb "#d55e00"'
         self.draw("guha2009_4_4", "Figure 4-4: steel at 100 m/s", "radius, mm", "depth, cm", [("measured line", steel, measured), ("percal's line", steel, percal)], "set xrange [0.6:1.8]\nset yrange [0:]")
         by_density = sorted((DENSITY[n.split(" 3")[0]], *(v / (0.2 * radius(shots[n][0][0]) * 1000) for v in found[n])) for n in ("PMMA", "titanium", "steel 3.18", "tungsten carbide"))
         self.draw("guha2009_4_5", "Figure 4-5: depth over diameter at 100 m/s", "density, kg/m3", "P_d / 2a", [("measured line", by_density, measured), ("percal's line", by_density, percal)], "set yrange [0:]")
@@ -100,17 +100,17 @@ set ylabel "{y}"
     def scaled(self, rows):
         x = lambda row: 16800 * row["velocity_m_s"] * row["radius_um"] * 1e-6
         self.draw("guha2009_4_7", "Figure 4-7: gold measured, and gelatin's line carried over", "impact parameter, kg/(m s)", "depth, um", [
-            ("measured", [(x(r), r["penetration_um"]) for r in rows], 'with points pt 7 ps 1.1 lc rgb "#1b6ca8"'),
-            ("scaled line, printed", [(x(r), r["scaled_um"]) for r in rows], 'with points pt 6 ps 1.1 lw 1.4 lc rgb "#c8553d"')])
+            ("measured", [(x(r), r["penetration_um"]) for r in rows], 'with points pt 7 ps 1.1 lc rgb "#0072b2"'),
+            ("scaled line, printed", [(x(r), r["scaled_um"]) for r in rows], 'with points pt 6 ps 1.1 lw 1.4 lc rgb "#d55e00"')])
 
     def prism(self, name, title, shots, results):
         depths = [100 * r.depth if r.depth else None for r in results]
         speeds = [s["velocity_m_s"] for s in shots]
         measured = [(s["velocity_m_s"], s["penetration_cm"]) for s in shots]
         self.draw(name, f"Figure {name[-3]}-{name[-1]}: {title}", "speed, m/s", "depth, cm", [
-            ("measured", measured, 'with points pt 7 ps 1.1 lc rgb "#1b6ca8"'),
-            ("its line", self.trend(measured), 'with lines lc rgb "#1b6ca8"'),
-            ("LS-DYNA", [(s["velocity_m_s"], s["fe_cm"]) for s in shots], 'with points pt 2 ps 1.1 lw 1.4 lc rgb "#c8553d"'),
+            ("measured", measured, 'with points pt 7 ps 1.1 lc rgb "#0072b2"'),
+            ("its line", self.trend(measured), 'with lines lc rgb "#0072b2"'),
+            ("LS-DYNA", [(s["velocity_m_s"], s["fe_cm"]) for s in shots], 'with points pt 2 ps 1.1 lw 1.4 lc rgb "#d55e00"'),
             ("percal", [(s["velocity_m_s"], d, 100 * (r.error or 0)) for s, d, r in zip(shots, depths, results) if d],
-             'using 1:2:3 with yerrorbars pt 6 ps 1.1 lw 1.4 lc rgb "#4d8f3c"')],
+             'using 1:2:3 with yerrorbars pt 6 ps 1.1 lw 1.4 lc rgb "#0fa569"')],
             f"set xrange [{min(speeds) - 3:g}:{max(speeds) + 3:g}]\nset yrange [0:]")

@@ -137,7 +137,7 @@ def panel(k, title, xlabel, unit, points, fits, mode, xs):
 
 
 def figure(percal, file):
-    colours = {"mooney-rivlin": "#d95f02", "ogden": "#1b6ca8", "ogden3": "#4a9b5e"}
+    colours = {"mooney-rivlin": "#d55e00", "ogden": "#0072b2", "ogden3": "#0fa569"}
     panels = []
 
     def fits(result):

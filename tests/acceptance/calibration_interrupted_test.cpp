@@ -7,8 +7,8 @@
 #include <random>
 #include <thread>
 
+#include "acceptance/gel.hpp"
 #include "percal/store/store.hpp"
-#include "support/program.hpp"
 
 namespace percal {
 namespace {
@@ -16,47 +16,6 @@ namespace {
 using nlohmann::json;
 using test::Ended;
 namespace fs = std::filesystem;
-
-constexpr const char* gel = R"(title = "Steel into a gel"
-bootstrap = 20
-
-[parameters.mu]
-kind = "modulus"
-low = "80 kPa"
-high = "600 kPa"
-
-[parameters.erosion_strain]
-kind = "erosion strain"
-low = 0.4
-high = 1.2
-
-[materials.gel]
-density = "1010 kg/m3"
-mu = "mu"
-alpha = 8
-erosion_strain = "erosion_strain"
-
-[[shots]]
-name = "balls"
-material = "gel"
-file = "shots.csv"
-particle_density = "7800 kg/m3"
-diameter = "3.18 mm"
-speed_column = "speed_m_s"
-depth_column = "depth_cm"
-layer_depth = "12 cm"
-layer_width_radii = 5
-
-[training]
-coarse = 5
-fine = 6
-verify = 7
-initial = 70
-batch = 12
-most = 94
-accuracy = 0.01
-)";
-constexpr const char* shots = "speed_m_s,depth_cm\n50,2.1\n60,2.7\n70,3.1\n80,3.8\n90,4.2\n";
 
 // What depends on the run and not on the problem.
 json without_what_it_took(json result) {
@@ -70,10 +29,7 @@ json without_what_it_took(json result) {
 
 class SlowInterruptedCalibration : public test::Program {
  protected:
-  SlowInterruptedCalibration() {
-    write("gel.toml", gel);
-    write("shots.csv", shots);
-  }
+  SlowInterruptedCalibration() { acceptance::write_gel_job(*this); }
   std::vector<std::string> command(const std::string& name, int threads) const {
     return {"calibrate", "gel.toml", "--store",   name + ".store",        "--out",
             name,        "--quiet",  "--threads", std::to_string(threads)};

@@ -1,5 +1,5 @@
 // Kills and crowds, on a store that others have filled: whatever ends a command and whoever works beside it, the same command ends
-// with the same depths, no finished run is lost, and nothing half-written is left. Calibrations: calibration_interrupted_test.cpp.
+// with the same depths, no finished run is lost, and nothing half-written is left.
 #include <gmock/gmock.h>
 #include <sqlite3.h>
 
@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "acceptance/gel.hpp"
 #include "acceptance/liver.hpp"
 #include "percal/store/store.hpp"
 
@@ -36,6 +37,7 @@ class SlowTrials : public LiverJob, public testing::WithParamInterface<std::stri
  protected:
   SlowTrials() {
     job();
+    acceptance::write_gel_job(*this);
     write("layer.toml", text_of(test::test_data + "layer.toml"));
   }
 
@@ -117,7 +119,7 @@ TEST_P(SlowTrials, SeveralAtOnceOnOneStoreDoNotDisturbEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SlowAcceptance, SlowTrials,
-                         testing::Values("identify liver.toml", "impact layer.toml --replicates 60",
+                         testing::Values("identify liver.toml", "calibrate gel.toml", "impact layer.toml --replicates 60",
                                          "study layer.toml --error-vs-time --meshes 4,5,6,8 --replicates 3"),
                          [](const auto& info) { return info.param.substr(0, info.param.find(' ')); });
 

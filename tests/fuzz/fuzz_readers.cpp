@@ -30,7 +30,7 @@ namespace {
 
 // A folder of its own, with the tables that the jobs of data/ name, in which the input is a file.
 const std::string& folder() {
-  static const std::string place = [] {
+  static const std::string& place = *new std::string([] {  // outlives what atexit does
     std::string name = std::filesystem::temp_directory_path() / "percal_fuzz_XXXXXX";
     if (!mkdtemp(name.data())) std::abort();
     for (const char* tables : {"guha2009", "synthetic"})
@@ -38,7 +38,7 @@ const std::string& folder() {
         if (entry.path().extension() == ".csv") std::filesystem::copy(entry, name);
     std::atexit([] { std::filesystem::remove_all(folder()); });
     return name;
-  }();
+  }());
   return place;
 }
 

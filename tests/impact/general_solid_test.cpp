@@ -170,6 +170,48 @@ TEST(Erosion, ByEnergyAnElementGoesWhenItsStoredEnergyReachesTheLimit) {
   goes_on_time(p, l);
 }
 
+// Limits that single criteria would reach at three stretches: the least decides, whatever kind it is of.
+TEST(Erosion, OfSeveralLimitsTheFirstReachedDecidesAndIsNamed) {
+  const Problem plain = specimen_problem();
+  const double K = plain.bulk();
+  const auto strain_at = [](double l) { return l - 1; };
+  const auto stress_at = [&](double l) {
+    return (isochoric_stress_of(plain.mu(), plain.alpha, l, 1, 1) + K / 2 * (l * l - 1)) / l;
+  };
+  const auto energy_at = [&](double l) {
+    return 2 * plain.mu() / (plain.alpha * plain.alpha) *
+               (std::pow(l, plain.alpha * 2 / 3) + 2 * std::pow(l, -plain.alpha / 3) - 3) +
+           K / 4 * (l * l - 1 - 2 * std::log(l));
+  };
+  const double l = 1.3, later = 1.4;
+  for (const Criterion first : {Criterion::strain, Criterion::stress, Criterion::energy}) {
+    const auto at = [&](Criterion one) { return one == first ? l : later; };
+    Problem p = plain;
+    p.erosion = StrainErosion{strain_at(at(Criterion::strain))};
+    p.further_erosion = {stress_at(at(Criterion::stress)), energy_at(at(Criterion::energy))};
+    goes_on_time(p, l);
+    Specimen<> specimen(p);
+    specimen.stretch(1, l);
+    EXPECT_EQ(leading_criterion(specimen.block, specimen.solid, 1, 3), first);
+    EXPECT_TRUE(specimen.solid.erodes(3));
+  }
+}
+
+TEST(Erosion, ALayerMayHaveAFurtherLimitAlone) {
+  Problem p = setting_s();
+  p.further_erosion.energy = 1e6;
+  p.below = {{.depth = 40, .mu = p.mu(), .alpha = p.alpha, .erosion_limit = INFINITY, .further_erosion = {.energy = 0.1}}};
+  p.depth = 2;
+  p.end_time = 8;
+  const ImpactResult result = run_impact(p, 1);
+  EXPECT_NE(result.outcome, Outcome::unstable) << result.reason;
+  EXPECT_GT(result.eroded_by.strain, 20);
+  EXPECT_GT(result.eroded_by.energy, 50);
+  EXPECT_EQ(result.eroded_by.stress, 0);
+  EXPECT_EQ(result.eroded_by.strain + result.eroded_by.energy + result.distorted, result.eroded);
+  EXPECT_LT(std::abs(result.energy.closure()), 5e-3);
+}
+
 // Nothing but a stretch of hundreds of times its length takes it out, when its step collapses; that is counted apart.
 TEST(Erosion, WhatIsCrushedIsMarkedAsDistorted) {
   Problem p = specimen_problem();

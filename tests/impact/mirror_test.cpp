@@ -45,13 +45,30 @@ TEST(Mirror, ASkewRhombusThatIsFreeToTurnHasMirroredBits) {
       }
 }
 
+TEST(Mirror, ASkewRhombusThatRubsAndIsFreeToTurnHasMirroredBits) {
+  Problem p = prism_impact(parallelogram({1, 0.3}, {-0.2, 0.8}));
+  auto& profile = std::get<RigidPolygon>(p.particle);
+  profile.free_rotation = true;
+  p.end_time = 4;
+  const ImpactResult smooth = run_impact(p);
+  p.friction = CoulombFriction{0.3};
+  const ImpactResult right = run_impact(p);
+  profile = mirror_image(profile);
+  mirrored_bits(right, run_impact(p));
+  EXPECT_NE(right.turn, smooth.turn) << "friction has a moment";
+  EXPECT_GT(right.energy.friction, 0.01);
+}
+
 TEST(Mirror, ASymmetricProfileThatIsFreeGoesStraightDown) {
-  Problem p = prism_impact(square_on_its_corner());
-  std::get<RigidPolygon>(p.particle).free_rotation = true;
-  const ImpactResult result = run_impact(p);
-  EXPECT_GT(result.depth, 2);
-  EXPECT_EQ(result.sideways, 0);
-  EXPECT_EQ(result.turn, 0);
+  for (const Friction friction : {Friction(NoFriction{}), Friction(CoulombFriction{0.3})}) {
+    Problem p = prism_impact(square_on_its_corner());
+    std::get<RigidPolygon>(p.particle).free_rotation = true;
+    p.friction = friction;
+    const ImpactResult result = run_impact(p);
+    EXPECT_GT(result.depth, 1.5);
+    EXPECT_EQ(result.sideways, 0);
+    EXPECT_EQ(result.turn, 0);
+  }
 }
 
 // The half model has half of the elements: twice as many erode in the whole.
@@ -74,6 +91,14 @@ void same_in_half_and_whole(Problem p) {
 TEST(Mirror, HalfAModelOfARhombusGivesTheDepthOfTheWholeToTheLastBit) {
   Problem p = prism_impact(parallelogram({1, 0}, {0, 1.7}));
   p.end_time = 6;
+  same_in_half_and_whole(p);
+}
+
+TEST(Mirror, HalfAModelOfACylinderThatRubsGivesTheDepthOfTheWholeToTheLastBit) {
+  Problem p = prism_impact(square_on_its_corner());
+  p.particle = RigidSphere{};
+  p.friction = CoulombFriction{0.3};
+  p.end_time = 4;
   same_in_half_and_whole(p);
 }
 

@@ -113,6 +113,88 @@ TEST(Touch, ImpulsesOnABodyThatIsFreeToTurnDoWhatTheyHaveTo) {
   EXPECT_GT(left, 30);
 }
 
+// A node under the body, which slides over it to the right at `sliding` and has been pushed down with `impulse`.
+Touch pressed(double mass, double impulse, double sliding) {
+  return {.column = 2, .mass = mass, .x = 0, .z = 1, .away_x = 0, .away_z = 1, .impulse = impulse, .along_x = 1, .along_z = 0,
+          .along_before = -sliding, .along_now = -sliding};
+}
+
+TEST(Friction, BrakesASlidingNodeByTheCoefficientTimesTheImpulseAcross) {
+  std::vector<Touch> touches{pressed(0.3, 0.2, 5)};
+  BodyMotion motion{};
+  const double lost = RigidBody{}.rub(touches, columns, 0.1, motion);
+  EXPECT_NEAR(touches[0].rub, 0.02, 1e-15);
+  EXPECT_NEAR(lost, 0.02 * (5 - 0.5 * 0.02 / 0.3), 1e-15) << "force times way, braked on it";
+}
+
+TEST(Friction, StopsANodeThatItCouldMoreThanStop) {
+  std::vector<Touch> touches{pressed(0.3, 0.2, 0.05)};
+  BodyMotion motion{.down = 0, .right = 0.01};
+  RigidBody{}.rub(touches, columns, 0.1, motion);
+  EXPECT_NEAR(touches[0].along_now + touches[0].rub / 0.3, 0.01, 1e-16) << "goes on with the body";
+  EXPECT_LT(touches[0].rub, 0.02);
+}
+
+// Within the cone, never past a standstill; momentum and angular momentum stay; energy is what is said.
+TEST(Friction, ImpulsesOnABodyThatIsFreeToTurnStayInTheConeAndReverseNothing) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> number(-1, 1);
+  int stuck = 0, sliding = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const double mass = 3, inertia = 1.7, coefficient = 0.4;
+    const RigidBody body{{1 / mass, 1 / mass, 1 / inertia}, 0.2, -0.4};
+    const BodyMotion before{.down = number(random), .right = number(random), .spin = number(random)};
+    std::vector<Touch> touches;
+    for (int k = 0; k < 8; ++k) {
+      const double angle = number(random);
+      Touch touch{.column = k % 5, .node = k, .mass = 0.3 + 0.2 * number(random)};
+      touch.x = body.x + std::sin(angle) + 0.2 * number(random);
+      touch.z = body.z + std::cos(angle);
+      touch.away_x = touch.along_z = std::sin(angle);
+      touch.away_z = std::cos(angle);
+      touch.along_x = touch.away_z;
+      touch.along_z = -touch.away_x;
+      touch.along_before = touch.along_now = number(random);
+      touch.impulse = std::max(0.0, number(random));
+      touches.push_back(touch);
+    }
+    BodyMotion after = before;
+    const double lost = body.rub(touches, columns, coefficient, after);
+    const auto slip = [&](const Touch& touch, const BodyMotion& motion) {
+      return touch.along_z * (motion.down - motion.spin * (touch.x - body.x)) +
+             touch.along_x * (motion.right + motion.spin * (touch.z - body.z));
+    };
+    double down = mass * (after.down - before.down), right = mass * (after.right - before.right),
+           turning = inertia * (after.spin - before.spin);
+    const auto kinetic_of = [&](const BodyMotion& m) {
+      return 0.5 * mass * (m.down * m.down + m.right * m.right) + 0.5 * inertia * m.spin * m.spin;
+    };
+    double less = kinetic_of(before) - kinetic_of(after);
+    for (const Touch& touch : touches) {
+      const double now = touch.along_now + touch.rub / touch.mass, left = slip(touch, after) - now;
+      EXPECT_LE(std::abs(touch.rub), coefficient * touch.impulse);
+      if (std::abs(touch.rub) < coefficient * touch.impulse * (1 - 1e-12)) {
+        EXPECT_NEAR(left, 0, 1e-13) << "trial " << trial;
+        ++stuck;
+      } else {
+        EXPECT_GE(left * touch.rub, -1e-14) << "trial " << trial;
+        sliding += touch.rub != 0;
+      }
+      down += touch.rub * touch.along_z;
+      right += touch.rub * touch.along_x;
+      turning += touch.rub * (touch.along_x * (touch.z - body.z) - touch.along_z * (touch.x - body.x));
+      less += 0.5 * touch.mass * (touch.along_now * touch.along_now - now * now);
+    }
+    EXPECT_NEAR(down, 0, 1e-14);
+    EXPECT_NEAR(right, 0, 1e-14);
+    EXPECT_NEAR(turning, 0, 1e-14);
+    EXPECT_NEAR(lost, less, 1e-13) << "trial " << trial;
+    EXPECT_GE(lost, -1e-14);
+  }
+  EXPECT_GT(stuck, 200);
+  EXPECT_GT(sliding, 200);
+}
+
 // Both sides of x = 0 in pairs of columns.
 TEST(Touch, MirroredTouchesMoveABodyStraightDownToTheLastBit) {
   std::vector<Touch> touches;

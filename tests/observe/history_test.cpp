@@ -18,7 +18,7 @@ constexpr double pressure = 1200 * 1e4;  // rho_t v^2, Pa
 
 const std::string energies =
     "energy_particle,energy_particle_elastic,energy_live_kinetic,energy_freed_mass,energy_elastic,energy_hourglass,"
-    "energy_viscosity,energy_relaxation,energy_eroded,energy_collisions,energy_sum";
+    "energy_viscosity,energy_relaxation,energy_eroded,energy_collisions,energy_friction,energy_sum";
 
 Problem in_plane_strain(bool whole) {
   Problem problem;
@@ -29,8 +29,8 @@ Problem in_plane_strain(bool whole) {
 
 TEST(History, IsInSiAndItsCsvNamesTheUnits) {
   const std::string csv = history_csv(two_points, Problem{}, impact_scales);
-  EXPECT_THAT(csv, StartsWith("time_s,tip_m,speed_m_s,force_N," + energies + "\n0,0,100,0,1,0,0,0,0,0,0,0,0,0,1\n"));
-  EXPECT_THAT(csv, HasSubstr("\n2e-05,0.0015,50,18.8495559,0.25,0,0,0,0,0,0,0,0.5,0,0.75\n"));
+  EXPECT_THAT(csv, StartsWith("time_s,tip_m,speed_m_s,force_N," + energies + "\n0,0,100,0,1,0,0,0,0,0,0,0,0,0,0,1\n"));
+  EXPECT_THAT(csv, HasSubstr("\n2e-05,0.0015,50,18.8495559,0.25,0,0,0,0,0,0,0,0.5,0,0,0.75\n"));
   EXPECT_EQ(history_csv({}, Problem{}, {}), "time_s,tip_m,speed_m_s,force_N," + energies + "\n");
 }
 

@@ -145,6 +145,22 @@ TEST_F(ImpactPage, HasTheNumbersOfItsResult) {
     EXPECT_THAT(words, HasSubstr(there));
 }
 
+TEST_F(ImpactPage, SaysHowManyElementsEachCriterionTookOut) {
+  reduction.problem.erosion = StrainErosion{0.7};
+  reduction.problem.further_erosion.energy = 1;
+  for (Evaluation& run : found.runs) {
+    run.result.eroded = 40;
+    run.result.distorted = 3;
+    run.result.eroded_by = {.strain = 30, .energy = 7};
+  }
+  EXPECT_EQ(result()["runs"][0]["eroded_by"], (Json{{"strain", 30}, {"energy", 7}, {"distortion", 3}}));
+  EXPECT_THAT(words_of(page()), HasSubstr("elements taken out of a run | 30 by strain, 7 by energy, 3 by distortion"));
+  reduction.problem.further_erosion = {};
+  EXPECT_EQ(result()["runs"][0]["eroded_by"], (Json{{"strain", 37}, {"distortion", 3}}));
+  reduction.problem.erosion = NoErosion{};
+  EXPECT_TRUE(result()["runs"][0]["eroded_by"].is_null());
+}
+
 TEST_F(ImpactPage, AStudyWithoutALimitGivesTheNoiseAlone) {
   found.accuracy = phase_alone;
   const std::string words = words_of(page());

@@ -26,6 +26,7 @@ Evaluation awkward() {
   r.element_steps = 2.5278409e15 + 0.5;
   r.eroded = 42;
   r.distorted = 3;
+  r.eroded_by = {30, 4, 5};
   r.smallest_jacobian = std::nextafter(1.0, 0);
   r.smallest_step = 5e-324;
   r.end_time = 1e300 / 7;
@@ -54,6 +55,7 @@ TEST(Payload, ComesBackToTheLastBit) {
   EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.eroded, b.eroded);
   EXPECT_EQ(a.distorted, b.distorted);
+  EXPECT_EQ(a.eroded_by, b.eroded_by);
   for (double ImpactResult::*number :
        {&ImpactResult::depth, &ImpactResult::end_time, &ImpactResult::end_speed, &ImpactResult::sideways,
         &ImpactResult::turn, &ImpactResult::target_momentum, &ImpactResult::element_steps,

@@ -60,6 +60,16 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
        }},
       {"stress", [](Problem& p) { p.erosion = StressErosion{0.7}; }},
       {"energy", [](Problem& p) { p.erosion = EnergyErosion{0.7}; }},
+      {"strain and stress", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion.stress = 0.7; }},
+      {"strain and energy", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion.energy = 0.7; }},
+      {"all three", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion = {0.7, 0.7}; }},
+      {"stretch", [](Problem& p) { p.stretch = 1.1; }},
+      {"stretch of a layer", layer([](LowerLayer& below) { below.stretch = 1.1; })},
+      {"fibres", [](Problem& p) { p.fibres = PlanarFibres{1, 2, 0.4}; }},
+      {"fibres, dispersion", [](Problem& p) { p.fibres = PlanarFibres{1, 2, 0.45}; }},
+      {"fibres of a layer", layer([](LowerLayer& below) { below.fibres = PlanarFibres{1, 2, 0.4}; })},
+      {"friction", [](Problem& p) { p.friction = CoulombFriction{0.1}; }},
+      {"friction, coefficient", [](Problem& p) { p.friction = CoulombFriction{0.2}; }},
       {"average", [](Problem& p) { p.erosion_average = AverageWithin{0.3}; }},
       {"average, length", [](Problem& p) { p.erosion_average = AverageWithin{0.4}; }},
       {"elastic",
@@ -88,6 +98,16 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
       {"layer, bulk ratio", layer([](LowerLayer& below) { below.bulk_ratio = 51; })},
       {"layer, erosion", layer([](LowerLayer& below) { below.erosion_limit = 0.8; })},
       {"layer, no erosion", layer([](LowerLayer& b) { b.erosion_limit = std::numeric_limits<double>::infinity(); })},
+      {"layer, further limit",
+       [](Problem& p) {
+         p.further_erosion.energy = 1;
+         p.below = {LowerLayer{.depth = 10, .mu = 1, .further_erosion = {.energy = 2}}};
+       }},
+      {"layer without the further limit",
+       [](Problem& p) {
+         p.further_erosion.energy = 1;
+         p.below = {LowerLayer{.depth = 10, .mu = 1}};
+       }},
       {"two layers",
        [](Problem& p) {
          p.below = {LowerLayer{.depth = 10, .mu = 1}, LowerLayer{.depth = 10, .mu = 1}};

@@ -191,6 +191,8 @@ Scene everything(double a, double v, double rho) {
   scene.target = {
       .name = "top", .density = rho, .mu_as_given = 0.1 * stress, .alpha = 9, .depth = 3 * a, .width = 7 * a};
   scene.target.erosion = StressErosion{0.7 * stress};
+  scene.target.further_erosion.energy = 0.9 * stress;
+  scene.target.fibres = PlanarFibres{0.2 * stress, 3, 0.4};
   scene.target.relaxation = PronySeries{{{0.3, 0.7 * a / v}, {0.1, 7 * a / v}}};
   scene.below = {{.name = "below",
                   .density = 1.1 * rho,
@@ -198,7 +200,8 @@ Scene everything(double a, double v, double rho) {
                   .alpha = 3,
                   .volumetric = PoissonRatio{0.49},
                   .depth = 40 * a,
-                  .erosion_limit = 1.3 * stress}};
+                  .erosion_limit = 1.3 * stress,
+                  .further_erosion = {.energy = 1.7 * stress}}};
   return scene;
 }
 
@@ -228,6 +231,9 @@ TEST(Reduce, ErosionLimitsAreOverTheImpactPressureAndRelaxationTimesInRadii) {
   const double a = scene.particle.radius;
   EXPECT_NEAR(std::get<StressErosion>(p.erosion).limit, 0.7, 1e-12);
   EXPECT_NEAR(p.below.at(0).erosion_limit, 1.3, 1e-12);
+  EXPECT_NEAR(p.further_erosion.energy.value(), 0.9, 1e-12);
+  EXPECT_NEAR(std::get<PlanarFibres>(p.fibres).k1, 0.2, 1e-12);
+  EXPECT_NEAR(p.below.at(0).further_erosion.energy.value(), 1.7, 1e-12);
   const auto& terms = std::get<PronySeries>(p.relaxation).terms;
   EXPECT_EQ(terms.at(0).share, 0.3);
   EXPECT_NEAR(terms.at(1).time, 7 * 2e-3 / a, 1e-11);
@@ -244,6 +250,59 @@ TEST(Reduce, StrainLimitsStayAndALayerWithoutALimitDoesNotErode) {
   EXPECT_EQ(reduce(scene).problem.below[0].erosion_limit, 0.9);
   scene.below[0].erosion_limit.reset();
   EXPECT_EQ(reduce(scene).problem.below[0].erosion_limit, std::numeric_limits<double>::infinity());
+}
+
+// By the diameter; a particle just as large as a cell is not smaller.
+TEST(Reduce, AStrainForParticlesSmallerThanACellHoldsForThoseAlone) {
+  Scene scene = everything(1e-3, 50, 1000);
+  scene.target.further_erosion = {};
+  scene.target.erosion = StrainErosion{0.7};
+  scene.below[0].erosion_limit = 0.9;
+  const double diameter = 2 * scene.particle.radius;
+  const auto limits_with = [&](double cell) {
+    scene.target.erosion_by_size = SmallerThanCell{cell, 0.3};
+    scene.below[0].erosion_by_size = SmallerThanCell{cell, 0.4};
+    const Problem p = reduce(scene).problem;
+    return std::pair(std::get<StrainErosion>(p.erosion).limit, p.below[0].erosion_limit);
+  };
+  EXPECT_EQ(limits_with(diameter), std::pair(0.7, 0.9));
+  EXPECT_EQ(limits_with(0.99 * diameter), std::pair(0.7, 0.9));
+  EXPECT_EQ(limits_with(1.01 * diameter), std::pair(0.3, 0.4));
+}
+
+TEST(Reduce, FrictionOfAnElasticParticleIsRefusedByNameAndNoneIsNone) {
+  Scene scene = everything(1e-3, 50, 1000);
+  scene.geometry = Geometry::axisymmetric;
+  scene.particle = {.name = "p", .radius = 1e-3, .density = 7000, .speed = 50, .youngs_modulus = 75e6,
+                    .friction = CoulombFriction{0.2}};
+  try {
+    reduce(scene);
+    FAIL() << "accepted";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("particle.friction: found 0.2 of a particle that is elastic"));
+  }
+  scene.particle.elasticity = Elasticity::rigid;
+  EXPECT_EQ(friction_coefficient(reduce(scene).problem), 0.2);
+  scene.particle.friction = NoFriction{};
+  EXPECT_EQ(friction_coefficient(reduce(scene).problem), 0);
+}
+
+TEST(Reduce, AStretchThatReachesTheErosionStrainIsRefused) {
+  Scene scene = everything(1e-3, 50, 1000);
+  scene.target.further_erosion = {};
+  scene.target.erosion = StrainErosion{0.3, StrainMeasure::true_strain};  // a stretch of 1.35
+  scene.target.stretch = scene.below[0].stretch = 1.34;
+  scene.below[0].erosion_limit = 0.3;
+  EXPECT_EQ(reduce(scene).problem.stretch, 1.34);
+  scene.below[0].stretch = 1.36;
+  try {
+    reduce(scene);
+    FAIL() << "accepted";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("below[1].stretch: found 1.36, which reaches the erosion strain of 0.3"));
+  }
+  scene.below[0].erosion_limit.reset();
+  EXPECT_EQ(reduce(scene).problem.below[0].stretch, 1.36) << "it does not erode";
 }
 
 TEST(Reduce, ALengthOfErosionIsInRadiiAndOneAboveARadiusWarns) {
@@ -339,12 +398,14 @@ TEST(Reduce, AStiffLayerBelowCanMakeTheParticleElastic) {
 
 TEST(LeftOut, NamesOnlyWhatTheSceneDoesNotHave) {
   EXPECT_THAT(left_out_of(scene_of(thesis_square)),
-              ElementsAre("elastic particle", "rotation", "second half", "history", "radius of the channel",
-                          "what follows the deepest point", "rate dependence", "further layers", "rows at rest", "contact away from the particle", "double precision"));
+              ElementsAre("elastic particle", "rotation", "friction", "second half", "history", "radius of the channel",
+                          "what follows the deepest point", "rate dependence", "initial stretch", "fibres", "further layers",
+                          "rows at rest", "contact away from the particle", "double precision"));
   Scene all = everything(1e-3, 50, 1000);
   all.output = {.history = true, .after = RunUntil::rest, .channel = true};
+  all.particle.friction = CoulombFriction{0.1};
   all.solver.arithmetic = Arithmetic::double_precision;
-  EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "rows at rest", "contact away from the particle"));
+  EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "initial stretch", "rows at rest", "contact away from the particle"));
 }
 
 TEST(LeftOut, AProfileOfSoftMaterialStaysRigidWithAWarning) {

@@ -54,6 +54,23 @@ class AnImpact(unittest.TestCase):
         self.assertEqual(found.history["energy_particle"][0], 1)
         self.assertRegex(repr(found), r"stopped, depth .* um \+- .* \(standard error of 5 runs\)")
 
+    def test_has_what_a_field_measures(self):
+        thin = GOLD.changed(target={"depth": "6 um"}, output={"after": "rest", "channel": True})
+        found = percal.impact(thin, elements_per_radius=4, replicates=2, threads=1, history=False)
+        self.assertEqual((found.outcome, found.final["ending"]), ("passed through", "passed through"))
+        (name, behind), = found.speeds_behind
+        self.assertEqual(name, "skin")
+        self.assertLess(found.exit_speed, behind)
+        self.assertEqual(found.exit_speed, found.final["speed_m_s"])
+        self.assertEqual(found.channel["largest_radius_m"].shape, (10,))
+        self.assertTrue(np.all(found.channel["largest_radius_m"] >= found.channel["end_radius_m"]))
+        self.assertAlmostEqual(found.sectional_density, 22.4, places=9)
+        self.assertRegex(repr(found), r"passed through, deeper than .* um, left with .* m/s")
+        plain = percal.impact(GOLD, elements_per_radius=4, replicates=1, threads=1, history=False)
+        self.assertIsNone(plain.final)
+        self.assertIsNone(plain.channel)
+        self.assertIsNone(plain.exit_speed)
+
     def test_has_the_same_bits_at_any_number_of_threads(self):
         one, two = (percal.impact(GOLD, 4, replicates=2, threads=n, history=False) for n in (1, 2))
         np.testing.assert_array_equal(one.depths, two.depths)

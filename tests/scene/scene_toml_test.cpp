@@ -291,8 +291,14 @@ void add_features(Scene& scene, std::mt19937_64& random) {
     scene.target.width = reach(scene.particle, scene.geometry) * (1 + number(-3, 10));
     scene.mesh.whole = coin() || needs_both_halves(scene.particle);
   }
+  if (coin()) scene.target.stretch = 1 + number(-9, 0);
+  if (coin()) scene.target.fibres = PlanarFibres{number(-20, 20), number(-9, 9), 0.5 - number(-9, -3)};
+  if (coin()) scene.particle.friction = CoulombFriction{number(-10, 1)};
   if (coin()) scene.target.erosion = StressErosion{number(-60, 60)};
   if (coin()) scene.target.erosion = EnergyErosion{number(-60, 60)};
+  const std::size_t criterion = scene.target.erosion.index();
+  if ((criterion == 1 || criterion == 2) && coin()) scene.target.further_erosion.energy = number(-60, 60);
+  if (criterion == 1 && coin()) scene.target.erosion_by_size = SmallerThanCell{number(-20, 20), number(-10, 10)};
   if (coin())
     scene.target.relaxation = PronySeries{{{number(-20, -2), number(-60, 60)}, {number(-20, -2), number(-60, 60)}}};
   while (coin()) {

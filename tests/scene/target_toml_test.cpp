@@ -28,10 +28,64 @@ TEST(TargetToml, ErosionIsByStrainStressOrEnergy) {
   EXPECT_EQ(with("[target.erosion]\nenergy = \"100 kPa\"\n").target.erosion, Erosion(EnergyErosion{1e5}));
 }
 
-TEST(TargetToml, ExactlyOneCriterionIsGiven) {
-  EXPECT_THAT(refusal_with("[target.erosion]\n"), HasSubstr("accepted: one of strain, stress and energy"));
-  EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\nstress = \"1 MPa\"\n"),
-              HasSubstr("scene.toml:13: target.erosion.stress: found this beside strain"));
+TEST(TargetToml, SeveralCriteriaAreTheFirstOfThemAndFurtherOnes) {
+  const Scene all = with("[target.erosion]\nenergy = \"1 kPa\"\nstress = \"1 MPa\"\nstrain = 0.7\n" + layer +
+                         "[below.erosion]\nenergy = \"2 kPa\"\n" + layer + "[below.erosion]\nstrain = 0.4\nstress = \"3 MPa\"\n");
+  EXPECT_EQ(all.target.erosion, Erosion(StrainErosion{0.7}));
+  EXPECT_EQ(all.target.further_erosion, (FurtherErosion{1e6, 1e3}));
+  EXPECT_FALSE(all.below[0].erosion_limit);
+  EXPECT_EQ(all.below[0].further_erosion, (FurtherErosion{std::nullopt, 2e3}));
+  EXPECT_EQ(all.below[1].erosion_limit, 0.4);
+  EXPECT_EQ(all.below[1].further_erosion, (FurtherErosion{3e6, std::nullopt}));
+  const Scene two = with("[target.erosion]\nenergy = \"1 kPa\"\nstress = \"1 MPa\"\n");
+  EXPECT_EQ(two.target.erosion, Erosion(StressErosion{1e6}));
+  EXPECT_EQ(two.target.further_erosion, (FurtherErosion{std::nullopt, 1e3}));
+  for (const Scene& scene : {all, two}) EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
+  EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\nenergy = \"1 kPa\"\nlength_in_radii = 0.4\n"),
+              HasSubstr("target.erosion.length_in_radii: found this beside strain and energy"));
+  EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\nenergy = \"1 kPa\"\n" + layer + "[below.erosion]\nstress = \"1 Pa\"\n"),
+              HasSubstr("found this; accepted: strain or energy, the criteria of [target.erosion]"));
+}
+
+TEST(TargetToml, ALimitOfStrainMayHangOnTheParticlesSizeAgainstACells) {
+  const std::string cell = "strain_below = 0.3\ncell = \"15 um\"\n";
+  const Scene scene = with("[target.erosion]\nstrain = 0.7\n" + cell + layer + "[below.erosion]\nstrain = 0.4\n" + cell);
+  EXPECT_EQ(scene.target.erosion, Erosion(StrainErosion{0.7}));
+  EXPECT_EQ(scene.target.erosion_by_size, ErosionBySize(SmallerThanCell{15e-6, 0.3}));
+  EXPECT_EQ(scene.below[0].erosion_by_size, scene.target.erosion_by_size);
+  EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
+  EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\nstrain_below = 0.3\n"),
+              HasSubstr("target.erosion.strain_below: found this without cell"));
+  EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\ncell = \"15 um\"\n"),
+              HasSubstr("target.erosion.cell: found this without strain_below"));
+  EXPECT_THAT(refusal_with("[target.erosion]\nstress = \"1 MPa\"\n" + cell), HasSubstr("strain_below only beside strain"));
+  EXPECT_THAT(refusal_with("[target.erosion]\nstrain = 0.7\ncell = \"0 um\"\nstrain_below = 0.3\n"), HasSubstr("a positive length"));
+}
+
+TEST(TargetToml, EachLayerMayBeStretchedBeforeTheImpact) {
+  const Scene scene = with("stretch = 1.1\n" + layer + "stretch = 1.2\n" + layer);
+  EXPECT_EQ(scene.target.stretch, 1.1);
+  EXPECT_EQ(scene.below[0].stretch, 1.2);
+  EXPECT_EQ(scene.below[1].stretch, 1);
+  EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
+  EXPECT_THAT(refusal_with("stretch = 0\n"), HasSubstr("target.stretch: found 0; accepted: a stretch from 0.5 to 3"));
+}
+
+TEST(TargetToml, EachLayerMayHaveFibres) {
+  const std::string table = "k1 = \"24 MPa\"\nk2 = 0.1\n";
+  const Scene scene = with("[target.fibres]\n" + table + layer + "[below.fibres]\nkappa = 0.4\n" + table + layer);
+  EXPECT_EQ(scene.target.fibres, Fibres(PlanarFibres{24e6, 0.1, 0.5}));
+  EXPECT_EQ(scene.below[0].fibres, Fibres(PlanarFibres{24e6, 0.1, 0.4}));
+  EXPECT_EQ(scene.below[1].fibres, Fibres(NoFibres{}));
+  EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
+  EXPECT_THAT(refusal_with("[target.fibres]\nk1 = \"1 MPa\"\n"), HasSubstr("target.fibres.k2: found no such key"));
+  EXPECT_THAT(refusal_with("[target.fibres]\nkappa = 0.6\n" + table), HasSubstr("a number from 1/3"));
+  EXPECT_THAT(refusal_with("[target.fibres]\n" + table + "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.5\n"),
+              HasSubstr("found this beside strain in a layer with fibres"));
+}
+
+TEST(TargetToml, AtLeastOneCriterionIsGiven) {
+  EXPECT_THAT(refusal_with("[target.erosion]\n"), HasSubstr("accepted: one or more of strain, stress and energy"));
   EXPECT_THAT(refusal_with("[target.erosion]\nstress = \"1 MPa\"\nmeasure = \"true\"\n"),
               HasSubstr("measure only beside strain"));
   EXPECT_THAT(refusal_with("[target.erosion]\nstress = \"0 MPa\"\n"), HasSubstr("a positive stress"));

@@ -66,7 +66,7 @@ TEST(Omissions, EverythingThatTheGoldSceneLeavesOutIsSwitchedOnOnce) {
   const Omissions audit = audit_omissions(gold_sample(), 5, nothing_matters);
   EXPECT_THAT(names(audit),
               testing::UnorderedElementsAre(
-                  "elastic particle", "second layer of the same", "second layer twice as stiff", "relaxation",
+                  "elastic particle", "friction", "initial stretch", "fibres", "second layer of the same", "second layer twice as stiff", "relaxation",
                   "volumetric law quadratic", "volumetric law logarithmic", "eroded nodes in contact", "bottom fixed",
                   "width x 2", "thickness x 1.5", "hourglass stiffness 0.1", "hourglass stiffness 1",
                   "hourglass viscosity", "bulk viscosity halved", "no linear bulk viscosity", "21 elements per radius",

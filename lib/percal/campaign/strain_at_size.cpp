@@ -10,6 +10,7 @@
 #include "percal/math/statistics.hpp"
 #include "percal/problem/domain.hpp"
 #include "percal/scene/erosion_length.hpp"
+#include "percal/scene/erosion_size.hpp"
 #include "percal/units/quantity.hpp"
 
 namespace percal {
@@ -28,8 +29,11 @@ Scene with(const Scene& scene, double elements_per_radius, double strain) {
   Scene other = on_mesh(scene, elements_per_radius);
   other.output = {};
   other.target.erosion = StrainErosion{strain, std::get<StrainErosion>(scene.target.erosion).measure};
+  other.target.erosion_by_size = AnySize{};
   return other;
 }
+
+double own_strain(const Scene& scene) { return std::get<StrainErosion>(erosion_in_force(scene)).limit; }
 
 // ln depth over ln strain.
 struct Trials {
@@ -83,7 +87,7 @@ void need_element_size(const Scene& scene, double element, const Place& place) {
                    fmt::format("1/{:.0f} to 1/{:.0f} of the particle's radius: {} to {}", 1 / smallest_element,
                                1 / largest_element, format_quantity(smallest_element * radius, dimension::length),
                                format_quantity(largest_element * radius, dimension::length)));
-  const Scene other = with(scene, radius / element, std::get<StrainErosion>(scene.target.erosion).limit);
+  const Scene other = with(scene, radius / element, own_strain(scene));
   need_elements_in_erosion_length(other, place);
   refuse_what_is_too_large(reduce(other).problem, place.file);
 }
@@ -91,7 +95,7 @@ void need_element_size(const Scene& scene, double element, const Place& place) {
 long strain_runs(const Scene& scene) { return (trials_wanted + static_cast<long>(own_walks)) * replicates_for(scene); }
 
 StrainAtSize strain_at_size(const Scene& scene, double element, Campaign& campaign, Progress* progress) {
-  const double strain = std::get<StrainErosion>(scene.target.erosion).limit, radius = scene.particle.radius;
+  const double strain = own_strain(scene), radius = scene.particle.radius;
   StrainAtSize found{.own_strain = strain,
                      .element = element,
                      .own_element = radius / scene.mesh.elements_per_radius,

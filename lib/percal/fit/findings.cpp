@@ -70,7 +70,7 @@ void several_terms(const CurveFit& fit, std::vector<std::string>& sentences) {
   const auto& best = fit.minima[0];
   const int terms = static_cast<int>(best.solid.terms.size()), asked = terms_of(fit.options.model);
   if (terms < asked)
-    sentences.push_back(fmt::format("{} term(s) of {} vanish: no positive modulus of theirs makes the fit better.",
+    sentences.push_back(fmt::format("{} term(s) of {} vanish: they make the fit no better than chance does.",
                                     asked - terms, asked));
   for (int k = 0; k + 1 < terms; ++k) {
     const auto &a = best.solid.terms[k], &b = best.solid.terms[k + 1];

@@ -13,7 +13,7 @@ constexpr double same_alpha = 1e-6;      // two results of one term closer than 
 constexpr double same_alphas = 1e-3;     // of several terms, whose valleys are flat
 constexpr double vanishing = 1e-9;       // share of all stress below which a term is none
 constexpr int extended = 4;              // minima of two terms that a third is added to
-constexpr double not_better = 1 - 1e-9;  // of an objective
+constexpr double by_chance = 2;          // what a term that stands for nothing gains in n ln S, the mean of chi squared of two
 
 struct Task {
   const std::vector<WeightedPoint>& points;
@@ -73,9 +73,10 @@ std::vector<SearchedAlpha> anywhere(const std::vector<double>& alphas) {
   return searched;
 }
 
-// Where more terms find nothing better, the solid of fewer is the answer. Other minima that Ceres did not settle are no
-// minima.
-FoundMinima completed(FoundMinima found, const FoundMinima& fewer) {
+// Where more terms gain no more than chance gives, the solid of fewer is the answer. Other minima that Ceres did not settle are
+// no minima.                                                                             docs/theory/curves.md (19b)
+FoundMinima completed(FoundMinima found, const FoundMinima& fewer, const Task& task) {
+  const double not_better = std::exp(-by_chance / static_cast<double>(task.points.size()));
   const Polished* simpler = best_of(fewer);
   const Polished* best = best_of(found);
   if (simpler && (!best || !(best->objective < not_better * simpler->objective))) {
@@ -124,7 +125,7 @@ FoundMinima two_terms(const Task& task) {
   const TermScan scan = scan_pairs(task.points, root_weights(task, best_of(fewer)), task.signs, largest_alpha);
   FoundMinima found{.scanned = fewer.scanned + scan.scanned};
   for (const auto& alphas : scan.minima) polish_into(found, task, anywhere(alphas));
-  return completed(found, fewer);
+  return completed(found, fewer, task);
 }
 
 // The exponents of a fit, and a third at every minimum of a scan of it.
@@ -154,7 +155,7 @@ FoundMinima three_terms(const Task& task) {
                    [](const auto& a, const auto& b) { return a.objective < b.objective; });
   for (std::size_t i = 0; i < std::min<std::size_t>(extended, fewer.minima.size()); ++i)
     if (fewer.minima[i].terms.size() == 2) add_a_third(found, task, alphas_of(fewer.minima[i]));
-  return completed(found, fewer);
+  return completed(found, fewer, task);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct EnergyLedger {
   double relaxation = 0;        // work of the stresses that relax: lost, or not yet; `elastic` is then what lasts
   double eroded = 0;            // stored in elements when they were taken out
   double collisions = 0;        // lost where nodes of the target met the particle
+  double friction = 0;          // taken by friction between the two
 
   double sum() const;
   double closure() const { return sum() - 1; }                      // the solver's own energy error
@@ -50,7 +51,14 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"viscosity", &EnergyLedger::viscosity, "bulk viscosity"},
     {"relaxation", &EnergyLedger::relaxation, "relaxation"},
     {"eroded", &EnergyLedger::eroded, "eroded elements"},
-    {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"}};
+    {"collisions", &EnergyLedger::collisions, "collisions of nodes with the particle"},
+    {"friction", &EnergyLedger::friction, "friction along the particle"}};
+
+// Elements by the criterion that took them out, where there are several. Those taken out for their distortion are in none.
+struct ErodedBy {
+  long strain = 0, stress = 0, energy = 0;
+  bool operator==(const ErodedBy&) const = default;
+};
 
 struct HistoryPoint {
   double time;               // radii over impact speed
@@ -105,6 +113,7 @@ struct ImpactResult {
   double element_steps = 0;  // elements of the rows that were advanced, live and dead, times their steps
   long eroded = 0;
   long distorted = 0;  // of these: taken out because J or the step became too small, not by their strain
+  ErodedBy eroded_by;  // all 0 where one criterion decides
   double smallest_jacobian = 1;
   double smallest_step = 0;  // over the first
   EnergyLedger energy;

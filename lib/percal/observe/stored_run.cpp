@@ -40,9 +40,13 @@ std::string object_text(const Members& members) {
 
 std::string value_text(const Json& scalar) { return scalar.dump(); }
 
+// Of runs without friction, as of those before there was any, nothing is kept of it.
+bool may_be_absent(const EnergyTerm& term) { return term.share == &EnergyLedger::friction; }
+
 std::string energy_text(const EnergyLedger& energy) {
   Members members{{"sum", value_text(finite(energy.sum()))}};
-  for (const EnergyTerm& term : energy_terms) members[term.key] = value_text(finite(energy.*term.share));
+  for (const EnergyTerm& term : energy_terms)
+    if (!may_be_absent(term) || energy.*term.share != 0) members[term.key] = value_text(finite(energy.*term.share));
   return object_text(members);
 }
 
@@ -72,6 +76,10 @@ void add_what_is_there(Members& members, const ImpactResult& r) {
   if (!r.channel.largest.empty())
     members["channel"] = object_text({{"largest", list_text(r.channel.largest)}, {"end", list_text(r.channel.end)}});
   if (r.aftermath) members["aftermath"] = aftermath_text(*r.aftermath);
+  if (r.eroded_by != ErodedBy{})
+    members["eroded_by"] = object_text({{"strain", value_text(r.eroded_by.strain)},
+                                        {"stress", value_text(r.eroded_by.stress)},
+                                        {"energy", value_text(r.eroded_by.energy)}});
 }
 
 std::vector<double> numbers(const Json& array) {
@@ -82,7 +90,8 @@ std::vector<double> numbers(const Json& array) {
 
 EnergyLedger energy_from(const Json& json) {
   EnergyLedger energy;
-  for (const EnergyTerm& term : energy_terms) energy.*term.share = number(json.at(term.key));
+  for (const EnergyTerm& term : energy_terms)
+    if (!may_be_absent(term) || json.contains(term.key)) energy.*term.share = number(json.at(term.key));
   return energy;
 }
 
@@ -102,13 +111,15 @@ void take_what_is_there(const Json& json, ImpactResult& r) {
   if (json.contains("channel"))
     r.channel = {.largest = numbers(json.at("channel").at("largest")), .end = numbers(json.at("channel").at("end"))};
   if (json.contains("aftermath")) r.aftermath = aftermath_from(json.at("aftermath"));
+  if (const auto by = json.find("eroded_by"); by != json.end())
+    r.eroded_by = {by->at("strain").get<long>(), by->at("stress").get<long>(), by->at("energy").get<long>()};
 }
 
 }  // namespace
 
 std::string to_payload(const Evaluation& evaluation) {
   const ImpactResult& r = evaluation.result;
-  Members members({{"outcome", value_text(word(r.outcome))},
+  Members members{{"outcome", value_text(word(r.outcome))},
                       {"reason", value_text(r.reason)},
                       {"depth", value_text(finite(r.depth))},
                       {"end_time", value_text(finite(r.end_time))},
@@ -126,7 +137,7 @@ std::string to_payload(const Evaluation& evaluation) {
                       {"energy", energy_text(r.energy)},
                       {"level", value_text(evaluation.instruction_level)},
                       {"wall_s", value_text(evaluation.wall_seconds)},
-                      {"cpu_s", value_text(evaluation.cpu_seconds)}});
+                      {"cpu_s", value_text(evaluation.cpu_seconds)}};
   add_what_is_there(members, r);
   return object_text(members);
 }

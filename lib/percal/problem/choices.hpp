@@ -13,7 +13,12 @@ namespace percal {
 
 // Elements that are stretched or loaded too far are taken out of the mesh, or nothing is: NoErosion, StrainErosion,
 // StressErosion, EnergyErosion of scene/scene.hpp, limits over rho_t v^2. What decides is an element's own value, or an average
-// within a length too: NoAverage, AverageWithin of scene/scene.hpp, in radii.
+// within a length too: NoAverage, AverageWithin of scene/scene.hpp, in radii. Further limits of other kinds, or none: FurtherErosion
+// of scene/scene.hpp, over rho_t v^2.
+
+// A layer has fibres, or none: NoFibres, PlanarFibres of scene/scene.hpp, k1 over rho_t v^2.
+
+// The particle rubs along the target, or it does not: NoFriction, CoulombFriction of scene/scene.hpp.
 
 // The deviatoric stress relaxes, or it does not: NoRelaxation, PronySeries of scene/scene.hpp, times in radii at impact speed.
 
@@ -47,11 +52,14 @@ struct LowerLayer {
   double mu = 0;       // over rho_t v^2: the first layer's would be 1/pi4
   double alpha = 0;
   double bulk_ratio = least_bulk_ratio;  // K / mu
-  double erosion_limit = 0;              // as the first layer's limit is meant; infinite: does not erode
+  double erosion_limit = 0;              // as the first layer's limit is meant; infinite: none of that kind
+  FurtherErosion further_erosion = {};
+  double stretch = 1;  // of its plane before the impact; 1: none
+  Fibres fibres = NoFibres{};
   bool operator==(const LowerLayer&) const = default;
 };
 
-static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
-              std::is_empty_v<RigidSphere>);
+static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoFibres> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
+              std::is_empty_v<NoFriction> && std::is_empty_v<RigidSphere>);
 
 }  // namespace percal

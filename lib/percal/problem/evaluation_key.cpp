@@ -48,6 +48,47 @@ std::string below_text(const std::vector<LowerLayer>& below) {
   return " below=[" + layers + "]";
 }
 
+std::string limits_text(const FurtherErosion& further) {
+  std::string text;
+  if (further.stress) text += fmt::format("stress:{:.12g};", *further.stress);
+  if (further.energy) text += fmt::format("energy:{:.12g};", *further.energy);
+  return text;
+}
+
+std::string further_erosion_text(const Problem& p) {
+  if (p.further_erosion.is_empty()) return "";
+  std::string text = " further-erosion=[" + limits_text(p.further_erosion);
+  for (const LowerLayer& layer : p.below) text += "(" + limits_text(layer.further_erosion) + ")";
+  return text + "]";
+}
+
+// Of all layers, where one is stretched.
+std::string stretch_text(const Problem& p) {
+  std::string text = fmt::format("{:.12g}", p.stretch);
+  bool stretched = p.stretch != 1;
+  for (const LowerLayer& layer : p.below) {
+    text += fmt::format(",{:.12g}", layer.stretch);
+    stretched |= layer.stretch != 1;
+  }
+  return stretched ? " stretch=[" + text + "]" : "";
+}
+
+std::string fibre_text(const Fibres& fibres) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  return planar ? fmt::format("({:.12g},{:.12g},{:.12g})", planar->k1, planar->k2, planar->kappa) : "()";
+}
+
+// Of all layers, where one has fibres.
+std::string fibres_text(const Problem& p) {
+  std::string text = fibre_text(p.fibres);
+  bool some = !std::holds_alternative<NoFibres>(p.fibres);
+  for (const LowerLayer& layer : p.below) {
+    text += fibre_text(layer.fibres);
+    some |= !std::holds_alternative<NoFibres>(layer.fibres);
+  }
+  return some ? " fibres=[" + text + "]" : "";
+}
+
 std::string relaxation_text(const Relaxation& relaxation) {
   const auto* series = std::get_if<PronySeries>(&relaxation);
   if (!series) return "";
@@ -66,6 +107,8 @@ std::string choices_text(const Problem& p) {
   if (p.eroded_nodes == ErodedNodes::in_contact) text += " eroded-nodes-in-contact";
   if (const auto* average = std::get_if<AverageWithin>(&p.erosion_average))
     text += fmt::format(" length={:.12g}", average->length);
+  if (const double coefficient = friction_coefficient(p); coefficient > 0)
+    text += fmt::format(" friction={:.12g}", coefficient);
   if (p.rates != 2) text += fmt::format(" rates={}", p.rates);
   if (p.until == RunUntil::rest) text += " until-rest";
   return text;
@@ -134,7 +177,8 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,
              p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor, p.end_time, p.speed_factor) +
-         choices_text(p) + below_text(p.below) + relaxation_text(p.relaxation);
+         choices_text(p) + below_text(p.below) + further_erosion_text(p) + stretch_text(p) + fibres_text(p) +
+         relaxation_text(p.relaxation);
 }
 
 // Read without complaint, written again: what was not understood is missing from the second text.

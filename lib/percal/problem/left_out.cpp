@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "percal/problem/particle.hpp"
 
 namespace percal {
@@ -15,7 +17,7 @@ std::string why_the_particle_is_rigid(const Scene& scene) {
 }
 
 struct WhyItDoesNotTurn {
-  std::string operator()(const RigidSphere&) const { return "contact without friction does not turn a round particle"; }
+  std::string operator()(const RigidSphere&) const { return "contact does not turn a round particle that goes straight down"; }
   std::string operator()(const ElasticSphere&) const { return (*this)(RigidSphere{}); }
   std::string operator()(const RigidPolygon& profile) const {
     return profile.free_rotation ? "" : "the scene holds the particle as it stands";
@@ -30,6 +32,7 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
     list.push_back({"elastic particle", why_the_particle_is_rigid(scene)});
   if (const std::string why = std::visit(WhyItDoesNotTurn{}, problem.particle); !why.empty())
     list.push_back({"rotation", why});
+  if (friction_coefficient(problem) == 0) list.push_back({"friction", "the scene gives none"});
   if (problem.geometry == Geometry::plane_strain && !problem.whole)
     list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
@@ -39,6 +42,12 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
     list.push_back({"what follows the deepest point", "the scene wants the deepest point"});
   if (std::holds_alternative<NoRelaxation>(problem.relaxation))
     list.push_back({"rate dependence", "the scene gives none"});
+  const auto is_stretched = [](const auto& layer) { return layer.stretch != 1; };
+  const auto has_fibres = [](const auto& layer) { return !std::holds_alternative<NoFibres>(layer.fibres); };
+  if (!is_stretched(problem) && std::ranges::none_of(problem.below, is_stretched))
+    list.push_back({"initial stretch", "the scene gives none"});
+  if (!has_fibres(problem) && std::ranges::none_of(problem.below, has_fibres))
+    list.push_back({"fibres", "the scene gives none"});
   if (problem.below.empty()) list.push_back({"further layers", "the scene has one"});
   list.push_back({"rows at rest", "rows that the wave has not reached are not advanced"});
   list.push_back({"contact away from the particle", "only nodes within reach of the particle are searched"});

@@ -20,9 +20,13 @@ struct Problem {
   Geometry geometry = Geometry::axisymmetric;
   bool whole = false;  // plane strain: both sides of x = 0; else the right half, mirrored
   Particle particle = RigidSphere{};
+  Friction friction = NoFriction{};  // of a rigid particle
   std::vector<LowerLayer> below;  // `depth` is then the first layer's thickness
   Erosion erosion = NoErosion{};
+  FurtherErosion further_erosion = {};
   ErosionAverage erosion_average = NoAverage{};
+  double stretch = 1;  // of the first layer's plane before the impact; 1: none
+  Fibres fibres = NoFibres{};  // of the first layer
   Relaxation relaxation = NoRelaxation{};
 
   double elements_per_radius = 10;
@@ -59,6 +63,9 @@ int rates_of(const Problem& problem);
 
 // What is said of a scene or job that still gives one.
 inline constexpr char contact_stiffness_warning[] = "contact_stiffness has no effect: contact has no springs any more";
+
+// 0: none.
+double friction_coefficient(const Problem& problem);
 
 // v over the dilatational wave speed sqrt((K + 4 mu/3)/rho), of the layer that has the slowest.
 double mach_number(const Problem& problem);

@@ -9,6 +9,7 @@
 #include "percal/problem/particle.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/scene/erosion_length.hpp"
+#include "percal/scene/erosion_size.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/width.hpp"
 
@@ -54,6 +55,32 @@ struct ReducedErosion {
   }
 };
 
+// Throws BadInput where the particle is elastic: its outline takes no impulse along itself.
+Friction reduced_friction(const Scene& scene) {
+  const auto* coulomb = std::get_if<CoulombFriction>(&scene.particle.friction);
+  if (!coulomb) return NoFriction{};
+  if (is_elastic(scene))
+    throw BadInput({.file = scene.source, .line = 0, .key = "particle.friction"},
+                   fmt::format("{} of a particle that is elastic", coulomb->coefficient),
+                   "friction of a rigid particle: elasticity = \"rigid\" beside it, or no friction");
+  return CoulombFriction{round_to_12_digits(coulomb->coefficient)};
+}
+
+// Limits of stress and energy over `stress`, rho_t v^2 in Pa.
+FurtherErosion reduced_further(const FurtherErosion& further, double stress) {
+  const auto over = [stress](const std::optional<double>& limit) {
+    return limit ? std::optional(round_to_12_digits(*limit / stress)) : std::nullopt;
+  };
+  return {over(further.stress), over(further.energy)};
+}
+
+Fibres reduced_fibres(const Fibres& fibres, double stress) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  if (!planar) return NoFibres{};
+  return PlanarFibres{round_to_12_digits(planar->k1 / stress), round_to_12_digits(planar->k2),
+                      round_to_12_digits(planar->kappa)};
+}
+
 // The average where something erodes, in radii. Throws BadInput where the mesh is too coarse for it.
 ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
   const auto length = erosion_length(scene.target);
@@ -69,9 +96,12 @@ ErosionAverage reduced_average(const Scene& scene, Reduction& reduction) {
 }
 
 // The limit of a layer below, as the first one's is meant.
-double lower_limit(const LowerLayerScene& layer, const Erosion& first, double stress) {
+double lower_limit(const LowerLayerScene& layer, const Scene& scene, double stress) {
+  const Erosion& first = scene.target.erosion;
   if (!layer.erosion_limit || std::holds_alternative<NoErosion>(first)) return std::numeric_limits<double>::infinity();
-  return round_to_12_digits(*layer.erosion_limit / (std::holds_alternative<StrainErosion>(first) ? 1 : stress));
+  if (std::holds_alternative<StrainErosion>(first))
+    return round_to_12_digits(strain_limit(*layer.erosion_limit, layer.erosion_by_size, scene.particle));
+  return round_to_12_digits(*layer.erosion_limit / stress);
 }
 
 std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reduction& reduction) {
@@ -85,10 +115,28 @@ std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reductio
     reduced.alpha = round_to_12_digits(layer.alpha);
     reduced.bulk_ratio =
         bulk_ratio(layer.volumetric, reduced.density / reduced.mu, layer.name, scene.solver, reduction);
-    reduced.erosion_limit = lower_limit(layer, scene.target.erosion, stress);
+    reduced.erosion_limit = lower_limit(layer, scene, stress);
+    reduced.further_erosion = reduced_further(layer.further_erosion, stress);
+    reduced.stretch = round_to_12_digits(layer.stretch);
+    reduced.fibres = reduced_fibres(layer.fibres, stress);
     below.push_back(reduced);
   }
   return below;
+}
+
+// Throws BadInput where a layer's own stretch is beyond its limit of strain.
+void need_whole_layers(const Scene& scene, const Problem& p) {
+  const auto* strain = std::get_if<StrainErosion>(&p.erosion);
+  if (!strain) return;
+  const auto check = [&](double stretch, double limit, const std::string& key) {
+    if (!std::isfinite(limit) || stretch == 1 || stretch < stretch_at(limit, strain->measure)) return;
+    throw BadInput({.file = scene.source, .line = 0, .key = key},
+                   fmt::format("{}, which reaches the erosion strain of {} before the impact", stretch, limit),
+                   fmt::format("a stretch below {:.6g}", stretch_at(limit, strain->measure)));
+  };
+  check(p.stretch, strain->limit, "target.stretch");
+  for (std::size_t k = 0; k < p.below.size(); ++k)
+    check(p.below[k].stretch, p.below[k].erosion_limit, fmt::format("below[{}].stretch", k + 1));
 }
 
 Relaxation reduced_relaxation(const Scene& scene) {
@@ -161,9 +209,14 @@ Reduction reduce(const Scene& scene) {
   p.bottom = target.bottom;
   p.geometry = scene.geometry;
   p.particle = reduced_particle(scene, p.density_ratio);
+  p.friction = reduced_friction(scene);
   p.below = layers_below(scene, stress, reduction);
-  p.erosion = std::visit(ReducedErosion{stress}, target.erosion);
+  p.erosion = std::visit(ReducedErosion{stress}, erosion_in_force(scene));
+  p.further_erosion = reduced_further(target.further_erosion, stress);
   p.erosion_average = reduced_average(scene, reduction);
+  p.stretch = round_to_12_digits(target.stretch);
+  p.fibres = reduced_fibres(target.fibres, stress);
+  need_whole_layers(scene, p);
   p.relaxation = reduced_relaxation(scene);
   take_mesh(scene, p);
   take_solver(scene, p);
@@ -187,6 +240,11 @@ double Problem::whole_depth() const {
   double sum = depth;
   for (const LowerLayer& layer : below) sum += layer.depth;
   return sum;
+}
+
+double friction_coefficient(const Problem& problem) {
+  const auto* coulomb = std::get_if<CoulombFriction>(&problem.friction);
+  return coulomb ? coulomb->coefficient : 0;
 }
 
 int rates_of(const Problem& problem) { return std::holds_alternative<NoErosion>(problem.erosion) ? 1 : problem.rates; }

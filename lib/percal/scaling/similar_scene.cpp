@@ -3,10 +3,24 @@
 #include <cmath>
 
 #include "percal/scaling/similar.hpp"
+#include "percal/scene/erosion_size.hpp"
 #include "percal/scene/width.hpp"
 
 namespace percal {
 namespace {
+
+void scale(FurtherErosion& further, double pressure) {
+  if (further.stress) *further.stress *= pressure;
+  if (further.energy) *further.energy *= pressure;
+}
+
+void scale(ErosionBySize& by_size, double length) {
+  if (auto* small = std::get_if<SmallerThanCell>(&by_size)) small->cell *= length;
+}
+
+void scale(Fibres& fibres, double pressure) {
+  if (auto* planar = std::get_if<PlanarFibres>(&fibres)) planar->k1 *= pressure;
+}
 
 // Profile, lower layers, erosion and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.
 void scale_the_rest(Scene& scene, const System& prototype, const System& model) {
@@ -24,7 +38,13 @@ void scale_the_rest(Scene& scene, const System& prototype, const System& model) 
     layer.depth *= length;
     if (layer.erosion_limit && !std::holds_alternative<StrainErosion>(scene.target.erosion))
       *layer.erosion_limit *= pressure;
+    scale(layer.further_erosion, pressure);
+    scale(layer.erosion_by_size, length);
+    scale(layer.fibres, pressure);
   }
+  scale(scene.target.further_erosion, pressure);
+  scale(scene.target.erosion_by_size, length);
+  scale(scene.target.fibres, pressure);
   if (auto* stress = std::get_if<StressErosion>(&scene.target.erosion)) stress->limit *= pressure;
   if (auto* energy = std::get_if<EnergyErosion>(&scene.target.erosion)) energy->limit *= pressure;
   if (auto* average = std::get_if<AverageWithin>(&scene.target.erosion_average)) average->length *= length;
@@ -51,7 +71,8 @@ SystemInput system_of(const Scene& scene) {
   system.alpha = layer.alpha;
   system.depth = layer.depth;
   system.width = width_of(scene);
-  if (const auto* erosion = std::get_if<StrainErosion>(&layer.erosion)) {
+  const Erosion in_force = erosion_in_force(scene);
+  if (const auto* erosion = std::get_if<StrainErosion>(&in_force)) {
     input.measure = erosion->measure;
     system.erosion_strain = erosion->limit;
     if (erosion->measure != StrainMeasure::engineering)

@@ -219,6 +219,8 @@ ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
   }
   particle.speed = table.quantity("speed", dimension::speed, positive("speed"));
   read_elasticity(table, shape, geometry, particle);
+  if (const double coefficient = table.number("friction", not_negative(), 0.0); coefficient > 0)
+    particle.friction = CoulombFriction{coefficient};
   return particle;
 }
 

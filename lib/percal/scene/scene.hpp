@@ -48,6 +48,26 @@ struct EnergyErosion {
   bool operator==(const EnergyErosion&) const = default;
 };
 using Erosion = std::variant<NoErosion, StrainErosion, StressErosion, EnergyErosion>;
+// Limits of other kinds beside Erosion's, which is the first of strain, stress and energy that a scene gives: an element goes by
+// whichever it reaches first. Left out: there is no further one.
+struct FurtherErosion {
+  std::optional<double> stress;  // as StressErosion's limit
+  std::optional<double> energy;  // as EnergyErosion's limit
+  bool is_empty() const { return !stress && !energy; }
+  bool operator==(const FurtherErosion&) const = default;
+};
+
+// --- a limit of strain that hangs on the particle's size ----------------------------------------------------------
+struct AnySize {
+  bool operator==(const AnySize&) const = default;
+};
+// Particles smaller than a cell of the tissue have to part other stuff than larger ones: erosion_size.hpp.
+struct SmallerThanCell {
+  double cell;    // m, of the particle's diameter (a profile's width as it stands)
+  double strain;  // the limit for those that are smaller
+  bool operator==(const SmallerThanCell&) const = default;
+};
+using ErosionBySize = std::variant<AnySize, SmallerThanCell>;
 
 // --- over what erosion is judged --------------------------------------------------------------------------------
 // Each element by its own value.
@@ -77,6 +97,20 @@ struct PronySeries {
 };
 using Relaxation = std::variant<NoRelaxation, PronySeries>;
 
+// --- fibres -----------------------------------------------------------------------------------------------------
+struct NoFibres {
+  bool operator==(const NoFibres&) const = default;
+};
+// In all directions of the layer's plane alike: W_f = (k1/(2 k2)) (exp(k2 E^2) - 1) where E = kappa (C_r + C_hoop) + (1 - 2 kappa) C_z -
+// 1 of the isochoric C is positive, else 0.     docs/theory/target.md, Fibres
+struct PlanarFibres {
+  double k1;           // Pa in a scene, over rho_t v^2 in a problem
+  double k2;
+  double kappa = 0.5;  // dispersion out of the plane: 1/2 none, 1/3 the same in all directions of space
+  bool operator==(const PlanarFibres&) const = default;
+};
+using Fibres = std::variant<NoFibres, PlanarFibres>;
+
 // --- the particle -----------------------------------------------------------------------------------------------
 // A sphere; in plane strain a cylinder lying on its side.
 struct RoundShape {
@@ -94,6 +128,17 @@ struct ProfileShape {
 };
 using ParticleShape = std::variant<RoundShape, ProfileShape>;
 
+// --- friction between particle and target -------------------------------------------------------------------------
+struct NoFriction {
+  bool operator==(const NoFriction&) const = default;
+};
+// Coulomb's: the force along the surface is at most the coefficient times the one across it.
+struct CoulombFriction {
+  double coefficient;
+  bool operator==(const CoulombFriction&) const = default;
+};
+using Friction = std::variant<NoFriction, CoulombFriction>;
+
 enum class Elasticity { automatic, rigid, elastic };  // automatic: rigid where the target is too soft to deform it
 
 struct ParticleScene {
@@ -105,6 +150,7 @@ struct ParticleScene {
   std::optional<double> youngs_modulus;  // Pa
   double poisson_ratio = 0.3;            // of an elastic particle
   Elasticity elasticity = Elasticity::automatic;
+  Friction friction = NoFriction{};
   bool operator==(const ParticleScene&) const = default;
 };
 
@@ -119,8 +165,12 @@ struct LayerScene {
   std::optional<double> width;  // m, radius of the fixed outer wall; left out: scene/width.hpp
   Bottom bottom = Bottom::free;
   Erosion erosion = NoErosion{};
+  FurtherErosion further_erosion = {};
+  ErosionBySize erosion_by_size = AnySize{};
   ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
+  double stretch = 1;  // of the plane of the layer before the impact; the wall holds it
+  Fibres fibres = NoFibres{};
   bool operator==(const LayerScene&) const = default;
 };
 
@@ -133,7 +183,11 @@ struct LowerLayerScene {
   double alpha = 0;
   VolumetricChoice volumetric = ChooseBulk{};
   double depth = 0;                     // m, its thickness
-  std::optional<double> erosion_limit;  // in the unit of the first one's; left out: does not erode
+  std::optional<double> erosion_limit;  // in the unit of the first one's; left out: none of that kind
+  FurtherErosion further_erosion = {};  // of kinds that the first one has
+  ErosionBySize erosion_by_size = AnySize{};
+  double stretch = 1;
+  Fibres fibres = NoFibres{};
   bool operator==(const LowerLayerScene&) const = default;
 };
 

@@ -89,11 +89,21 @@ void write_particle(Lines& lines, const ParticleScene& particle, Geometry geomet
   if (particle.youngs_modulus) lines.quantity("youngs_modulus", *particle.youngs_modulus, "Pa");
   lines.number("poisson_ratio", particle.poisson_ratio);
   lines.choice("elasticity", elasticity_words(), particle.elasticity);
+  if (const auto* coulomb = std::get_if<CoulombFriction>(&particle.friction)) lines.number("friction", coulomb->coefficient);
 }
 
 void write_volumetric(Lines& lines, const VolumetricChoice& volumetric) {
   if (const auto* poisson = std::get_if<PoissonRatio>(&volumetric)) lines.number("nu", poisson->nu);
   if (const auto* bulk = std::get_if<BulkToShear>(&volumetric)) lines.number("bulk_to_shear", bulk->ratio);
+}
+
+void write_fibres(Lines& lines, const char* table, const Fibres& fibres) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  if (!planar) return;
+  lines.table(table);
+  lines.quantity("k1", planar->k1, "Pa");
+  lines.number("k2", planar->k2);
+  lines.number("kappa", planar->kappa);
 }
 
 // One line of an erosion table, in the unit that the criterion has.
@@ -105,6 +115,18 @@ struct WriteLimit {
   void operator()(const StressErosion&) const { lines.quantity("stress", limit, "Pa"); }
   void operator()(const EnergyErosion&) const { lines.quantity("energy", limit, "J/m3"); }
 };
+
+void write_further(Lines& lines, const FurtherErosion& further) {
+  if (further.stress) lines.quantity("stress", *further.stress, "Pa");
+  if (further.energy) lines.quantity("energy", *further.energy, "J/m3");
+}
+
+void write_by_size(Lines& lines, const ErosionBySize& by_size) {
+  const auto* small = std::get_if<SmallerThanCell>(&by_size);
+  if (!small) return;
+  lines.number("strain_below", small->strain);
+  lines.quantity("cell", small->cell, "m");
+}
 
 struct LimitOf {
   double operator()(const NoErosion&) const { return 0; }
@@ -124,11 +146,15 @@ void write_target(Lines& lines, const LayerScene& target) {
   write_volumetric(lines, target.volumetric);
   lines.quantity("depth", target.depth, "m");
   if (target.width) lines.quantity("width", *target.width, "m");
+  if (target.stretch != 1) lines.number("stretch", target.stretch);
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
+  write_fibres(lines, "target.fibres", target.fibres);
   if (!std::holds_alternative<NoErosion>(target.erosion)) {
     lines.table("target.erosion");
     std::visit(WriteLimit{lines, std::visit(LimitOf{}, target.erosion)}, target.erosion);
     if (const auto* strain = std::get_if<StrainErosion>(&target.erosion)) lines.word("measure", word(strain->measure));
+    write_further(lines, target.further_erosion);
+    write_by_size(lines, target.erosion_by_size);
     if (const auto length = erosion_length(target)) lines.quantity("length", *length, "m");
   }
   if (const auto* series = std::get_if<PronySeries>(&target.relaxation)) {
@@ -149,9 +175,13 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
     lines.number("alpha", layer.alpha);
     write_volumetric(lines, layer.volumetric);
     lines.quantity("depth", layer.depth, "m");
-    if (!layer.erosion_limit) continue;
+    if (layer.stretch != 1) lines.number("stretch", layer.stretch);
+    write_fibres(lines, "below.fibres", layer.fibres);
+    if (!layer.erosion_limit && layer.further_erosion.is_empty()) continue;
     lines.table("below.erosion");
-    std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);
+    if (layer.erosion_limit) std::visit(WriteLimit{lines, *layer.erosion_limit}, erosion);
+    write_further(lines, layer.further_erosion);
+    write_by_size(lines, layer.erosion_by_size);
   }
 }
 

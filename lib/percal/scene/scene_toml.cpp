@@ -7,6 +7,7 @@
 
 #include "percal/scene/document_kind.hpp"
 #include "percal/scene/erosion_length.hpp"
+#include "percal/scene/erosion_toml.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/width.hpp"
@@ -17,67 +18,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_alpha = 1e-3;  // the solver divides by alpha
+const Range initial_stretches{.low = 0.5, .high = 3, .words = "a stretch from 0.5 to 3; 1: none"};
 constexpr std::size_t most_relaxation_terms = 3;
-
-// What of the target's [target.erosion] a scene may say, in the order of the alternatives of Erosion behind NoErosion.
-const std::vector<std::string> erosion_keys{"strain", "stress", "energy"};
-
-double erosion_limit(const TomlTable& table, const std::string& key) {
-  if (key == "strain") return table.number(key, positive("strain"));
-  return table.quantity(key, dimension::pressure, positive(key == "stress" ? "stress" : "energy per volume"));
-}
-
-// The one key of erosion_keys that the table has.
-std::string erosion_key(const TomlTable& table) {
-  std::string found;
-  for (const std::string& key : erosion_keys) {
-    if (!table.has(key)) continue;
-    if (!found.empty()) table.refuse(key, "this beside " + found, "one of strain, stress and energy");
-    found = key;
-  }
-  for (const std::string& key : erosion_keys)
-    if (!table.has(key)) table.knows(key);
-  if (found.empty()) table.refuse("strain", "no such key", "one of strain, stress and energy: a positive limit");
-  return found;
-}
-
-Erosion read_erosion(const TomlTable& target) {
-  const auto table = target.optional_table("erosion");
-  if (!table) return NoErosion{};
-  const std::string key = erosion_key(*table);
-  const double limit = erosion_limit(*table, key);
-  if (key != "strain" && table->has("measure"))
-    table->refuse("measure", "this beside " + key, "measure only beside strain");
-  const auto measure = static_cast<StrainMeasure>(table->word(
-      "measure",
-      {word(StrainMeasure::engineering), word(StrainMeasure::true_strain), word(StrainMeasure::green_lagrange)}, 0));
-  if (key == "stress") return StressErosion{limit};
-  if (key == "energy") return EnergyErosion{limit};
-  return StrainErosion{limit, measure};
-}
-
-// Which of the two keys of the length is given; empty: neither.
-std::string erosion_length_key(const TomlTable& erosion) {
-  for (const char* key : {"length", "length_in_radii"})
-    if (erosion.has(key)) return key;
-  return "";
-}
-
-ErosionAverage read_erosion_average(const TomlTable& target, const ParticleScene& particle) {
-  const auto table = target.optional_table("erosion");
-  if (!table) return NoAverage{};
-  const auto length = table->optional_quantity("length", dimension::length, positive("length"));
-  const auto in_radii = table->optional_number("length_in_radii", positive("number of radii"));
-  if (length && in_radii)
-    table->refuse("length_in_radii", "this beside length",
-                  "one of the two, or neither: each element is then judged by itself");
-  if (!length && !in_radii) return NoAverage{};
-  if (table->has("stress"))
-    table->refuse(
-        erosion_length_key(*table), "this beside stress",
-        "a length beside strain or energy: what is averaged is the energy, and a limit of stress is none of it");
-  return AverageWithin{length ? *length : *in_radii * particle.radius};
-}
 
 Relaxation read_relaxation(const TomlTable& target) {
   const auto tables = target.tables("relaxation");
@@ -96,6 +38,16 @@ Relaxation read_relaxation(const TomlTable& target) {
                    "shares with a sum below 1, so that some stiffness is left");
   }
   return series;
+}
+
+Fibres read_fibres(const TomlTable& layer) {
+  const auto table = layer.optional_table("fibres");
+  if (!table) return NoFibres{};
+  const Range dispersion{.low = 1.0 / 3, .high = 0.5, .words = "a number from 1/3 (in all directions) to 1/2 (in the layer's plane)"};
+  PlanarFibres fibres{.k1 = table->quantity("k1", dimension::pressure, positive("pressure")),
+                      .k2 = table->number("k2", positive())};
+  fibres.kappa = table->number("kappa", dispersion, fibres.kappa);
+  return fibres;
 }
 
 struct OgdenAsGiven {
@@ -117,18 +69,6 @@ OgdenAsGiven read_ogden(const TomlTable& table, ModulusConvention convention) {
   table.refuse("mu", fmt::format("{}, which makes the true shear modulus mu alpha/2 = {} Pa", found, mu),
                fmt::format("a {} pressure where convention = \"mu/alpha\" and alpha = {}",
                            alpha > 0 ? "positive" : "negative", alpha));
-}
-
-std::optional<double> lower_erosion_limit(const TomlTable& layer, const LayerScene& first) {
-  const auto table = layer.optional_table("erosion");
-  if (!table) return std::nullopt;
-  if (std::holds_alternative<NoErosion>(first.erosion))
-    layer.refuse(
-        "erosion", "this where the first layer has none",
-        "[target.erosion] as well, whose criterion is that of all layers; a limit out of reach keeps the first whole");
-  const std::string key = erosion_key(*table), firsts = erosion_keys[first.erosion.index() - 1];
-  if (key != firsts) table->refuse(key, "this", firsts + ", the criterion of [target.erosion]");
-  return erosion_limit(*table, key);
 }
 
 // "a length above the particle's radius of 1 um".
@@ -157,8 +97,9 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
       "width", dimension::length,
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
-  target.erosion = read_erosion(table);
-  target.erosion_average = read_erosion_average(table, particle);
+  target.stretch = table.number("stretch", initial_stretches, target.stretch);
+  target.fibres = read_fibres(table);
+  read_erosion(table, particle, target);
   target.relaxation = read_relaxation(table);
   return target;
 }
@@ -174,7 +115,9 @@ std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, co
     layer.alpha = alpha;
     layer.volumetric = volumetric_from(table);
     layer.depth = table.quantity("depth", dimension::length, positive("length"));
-    layer.erosion_limit = lower_erosion_limit(table, first);
+    layer.stretch = table.number("stretch", initial_stretches, layer.stretch);
+    layer.fibres = read_fibres(table);
+    read_lower_erosion(table, first, layer);
     below.push_back(layer);
   }
   return below;

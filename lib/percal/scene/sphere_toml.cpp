@@ -18,6 +18,13 @@ std::string one_of(const TomlTable& table, const std::string& first, const std::
   return table.has(second) ? second : first;
 }
 
+// A quantity that another one may stand for, which the message names where neither is given.
+double quantity_or_other(const TomlTable& table, const std::string& key, const Dimension& of, Range accepted,
+                         const std::string& other) {
+  if (!table.has(key)) accepted.words += ", or " + other + " in its place";
+  return table.quantity(key, of, accepted);
+}
+
 // The same where either may be one value (`key`) or a column (`key`_column).
 std::string one_of_rows(const TomlTable& block, const std::string& first, const std::string& second) {
   for (const std::string& key : {first, second, first + "_column", second + "_column"}) block.knows(key);
@@ -39,7 +46,7 @@ double density_of(const TomlTable& table, const std::string& key, double mass, d
 double radius_from(const TomlTable& table) {
   return one_of(table, "radius", "diameter") == "diameter"
              ? table.quantity("diameter", dimension::length, a_length) / 2
-             : table.quantity("radius", dimension::length, a_length);
+             : quantity_or_other(table, "radius", dimension::length, a_length, "a diameter");
 }
 
 double sphere_density(double mass, double radius) {
@@ -50,7 +57,7 @@ Sphere sphere_from(const TomlTable& table, const std::string& prefix) {
   const double radius = radius_from(table);
   const std::string density = prefix + "density", mass = prefix + "mass";
   if (one_of(table, density, mass) == density)
-    return {radius, table.quantity(density, dimension::density, a_density)};
+    return {radius, quantity_or_other(table, density, dimension::density, a_density, "a " + mass)};
   return {radius, density_of(table, mass, table.quantity(mass, dimension::mass, a_mass), radius)};
 }
 

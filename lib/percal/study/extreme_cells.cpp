@@ -145,6 +145,57 @@ void add_erosion(Matrix& m) {
   m.add("strain 0.7, eroded nodes in contact", [](Scene& s) { s.solver.eroded_nodes = ErodedNodes::in_contact; });
 }
 
+void rub(Scene& s, double coefficient) { s.particle.friction = CoulombFriction{coefficient}; }
+void weave(Scene& s, double k1, double k2, double kappa) { s.target.fibres = PlanarFibres{k1 * mu, k2, kappa}; }
+
+void add_skin(Matrix& m) {
+  m.group("several criteria");
+  m.add("strain 0.7 or stress of 2 mu", [](Scene& s) { s.target.further_erosion.stress = 2 * mu; });
+  m.add("all three, the energy far out of reach", [](Scene& s) { s.target.further_erosion = {2 * mu, 1e6 * mu}; });
+  m.add("strain 0.05 below a cell of 10 um", [](Scene& s) { s.target.erosion_by_size = SmallerThanCell{1e-5, 0.05}; });
+  m.group("friction");
+  for (const double coefficient : {0.01, 0.3, 1.0, 100.0})
+    m.add(fmt::format("coefficient {}", coefficient), [=](Scene& s) { rub(s, coefficient); });
+  m.add("coefficient 1, erosion none", [](Scene& s) {
+    rub(s, 1);
+    no_erosion(s);
+  });
+  m.add("coefficient 1, cone of 30 deg", [](Scene& s) {
+    rub(s, 1);
+    make_cone(s, 30);
+  });
+  m.add("coefficient 0.3, elastic particle", [](Scene& s) {
+    rub(s, 0.3);
+    make_elastic(s, 79e9);
+  });
+  m.group("initial stretch");
+  for (const double stretch : {0.5, 0.9, 1.2, 1.69})
+    m.add(fmt::format("stretch {}", stretch), [=](Scene& s) { s.target.stretch = stretch; });
+  m.add("stretch 1.7, the limit itself", [](Scene& s) { s.target.stretch = 1.7; });
+  m.add("stretch 1.3, erosion none, alpha -5", [](Scene& s) {
+    s.target.stretch = 1.3;
+    s.target.alpha = -5;
+    no_erosion(s);
+  });
+  m.add("stretch 1.3 over an unstretched layer", [](Scene& s) {
+    layered(s, 2, mu, mu);
+    s.target.stretch = 1.3;
+  });
+  m.group("fibres");
+  m.add("k1 of mu, k2 1", [](Scene& s) { weave(s, 1, 1, 0.5); });
+  m.add("k1 of 1000 mu, k2 0.1", [](Scene& s) { weave(s, 1000, 0.1, 0.45); });
+  m.add("k1 of mu, k2 1000", [](Scene& s) { weave(s, 1, 1000, 0.4); });
+  m.add("k1 of mu, k2 1, erosion none", [](Scene& s) {
+    weave(s, 1, 1, 1.0 / 3);
+    no_erosion(s);
+  });
+  m.add("k1 of mu, k2 10, stretch 1.2, coefficient 0.3", [](Scene& s) {
+    weave(s, 1, 10, 0.5);
+    s.target.stretch = 1.2;
+    rub(s, 0.3);
+  });
+}
+
 void add_groups_of_similarity(Matrix& m) {
   m.group("pi4");
   for (int exponent = -3; exponent <= 4; ++exponent)
@@ -339,6 +390,7 @@ std::vector<ExtremeCell> extreme_cells() {
   Matrix matrix;
   add_material(matrix);
   add_erosion(matrix);
+  add_skin(matrix);
   add_groups_of_similarity(matrix);
   add_particles(matrix);
   add_meshes(matrix);

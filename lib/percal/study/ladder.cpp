@@ -86,7 +86,7 @@ Scene rung_scene(const Scene& scene, double elements_per_radius, double time_ste
 LadderOptions checked(LadderOptions options, const Scene& scene) {
   auto& meshes = options.meshes;
   std::ranges::sort(meshes);
-  meshes.erase(std::ranges::unique(meshes).begin(), meshes.end());
+  meshes.erase(std::unique(meshes.begin(), meshes.end()), meshes.end());
   if (meshes.size() < fewest_grids || meshes.front() < 1 || meshes.back() > 1000)
     throw BadInput(Place{.file = "", .line = 0, .key = "--meshes"}, fmt::format("{}", fmt::join(meshes, ",")),
                    fmt::format("{} or more different numbers from 1 to 1000", fewest_grids));

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double wider = 2, thicker = 1.5, finer = 1.5, stiffer_layer = 2, stiffer_bulk = 4;
 constexpr double illustrated_share = 0.2;  // of the modulus that relaxes within a radius at impact speed
+constexpr double illustrated_friction = 0.1, illustrated_stretch = 1.05, illustrated_fibres = 0.1;
 constexpr double weak_hourglass = 0.1, strong_hourglass = 1, viscous_hourglass = 0.1;
 
 class Planner {
@@ -50,8 +51,10 @@ class Planner {
 
   void physics(const std::optional<double>& depth) {
     particle();
+    friction();
     layers(depth);
     relaxation();
+    skin();
     volumetric_laws();
     eroded_nodes();
   }
@@ -98,6 +101,8 @@ class Planner {
     if (is_elastic(scene_))
       add("rigid particle", "without the elasticity that the scene has",
           [](Scene& s) { s.particle.elasticity = Elasticity::rigid; });
+    else if (!std::holds_alternative<NoFriction>(p.friction))
+      skip("elastic particle", "the scene has friction, which is that of rigid particles");
     else if (!p.youngs_modulus)
       skip("elastic particle", "the scene gives no Young's modulus");
     else
@@ -118,6 +123,21 @@ class Planner {
       add("second half", "both sides of the middle line meshed", [](Scene& s) { s.mesh.whole = true; });
   }
 
+  void friction() {
+    if (!std::holds_alternative<NoFriction>(scene_.particle.friction)) {
+      about(OmissionKind::physics);
+      return add("no friction", "without the friction that the scene has",
+                 [](Scene& s) { s.particle.friction = NoFriction{}; });
+    }
+    about(OmissionKind::physics, "friction", true);
+    if (is_elastic(scene_)) return skip("friction", "the particle is elastic, and friction is that of rigid ones");
+    add("friction", fmt::format("an illustration: Coulomb's, with a coefficient of {}", illustrated_friction),
+        [](Scene& s) {
+          s.particle.friction = CoulombFriction{illustrated_friction};
+          s.particle.elasticity = Elasticity::rigid;
+        });
+  }
+
   // A second layer from `share` of the target's depth on; the first layer is that much thinner.
   static void split(Scene& s, double from, double stiffness) {
     LowerLayerScene lower;
@@ -130,6 +150,10 @@ class Planner {
     if (const auto* strain = std::get_if<StrainErosion>(&s.target.erosion)) lower.erosion_limit = strain->limit;
     if (const auto* stress = std::get_if<StressErosion>(&s.target.erosion)) lower.erosion_limit = stress->limit;
     if (const auto* energy = std::get_if<EnergyErosion>(&s.target.erosion)) lower.erosion_limit = energy->limit;
+    lower.further_erosion = s.target.further_erosion;
+    lower.erosion_by_size = s.target.erosion_by_size;
+    lower.stretch = s.target.stretch;
+    lower.fibres = s.target.fibres;
     s.target.depth = from;
     s.below = {lower};
   }
@@ -169,6 +193,35 @@ class Planner {
         });
   }
 
+  // Every layer's.
+  template <class Change>
+  static void each_layer(Scene& s, const Change& change) {
+    change(s.target);
+    for (LowerLayerScene& layer : s.below) change(layer);
+  }
+
+  void skin() {
+    const auto some = [this](const auto& has) {
+      return has(scene_.target) || std::ranges::any_of(scene_.below, has);
+    };
+    about(OmissionKind::physics);
+    if (some([](const auto& layer) { return layer.stretch != 1; }))
+      add("no initial stretch", "without the stretch that layers have before the impact",
+          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = 1; }); });
+    else {
+      about(OmissionKind::physics, "initial stretch", true);
+      add("initial stretch", fmt::format("an illustration: every layer stretched by {} in its plane", illustrated_stretch),
+          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = illustrated_stretch; }); });
+    }
+    about(OmissionKind::physics);
+    if (some([](const auto& layer) { return !std::holds_alternative<NoFibres>(layer.fibres); }))
+      return add("no fibres", "without the fibres of the scene",
+                 [](Scene& s) { each_layer(s, [](auto& layer) { layer.fibres = NoFibres{}; }); });
+    about(OmissionKind::physics, "fibres", true);
+    add("fibres", "an illustration: in the first layer's plane, k1 a tenth of its modulus, k2 = 1",
+        [this](Scene& s) { s.target.fibres = PlanarFibres{.k1 = illustrated_fibres * baseline_.mu_true, .k2 = 1}; });
+  }
+
   void volumetric_laws() {
     about(OmissionKind::physics);
     const std::pair<VolumetricLaw, const char*> laws[] = {{VolumetricLaw::log_quadratic, "log-quadratic"},
@@ -177,7 +230,7 @@ class Planner {
     for (const auto& [law, name] : laws)
       if (law != scene_.solver.volumetric_law)
         add(fmt::format("volumetric law {}", name), "another energy of the change in volume, with the same K",
-            [law](Scene& s) { s.solver.volumetric_law = law; });
+            [law = law](Scene& s) { s.solver.volumetric_law = law; });
   }
 
   void eroded_nodes() {

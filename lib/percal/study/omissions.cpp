@@ -67,7 +67,7 @@ std::string why_no_variant(const std::string& left_out, const std::vector<Skippe
     if (variant.left_out == left_out) return variant.why;
   if (left_out == "history") return "it is read off the run and changes no number of it";
   if (left_out == "erosion") return "the scene gives no limit to switch it on with";
-  if (left_out == "rotation") return "a round particle without friction, or a body of revolution, has none";
+  if (left_out == "rotation") return "a round particle that goes straight down, or a body of revolution, has none";
   return "there is no switch for it";
 }
 

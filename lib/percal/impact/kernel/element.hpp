@@ -181,10 +181,10 @@ struct StepBound {
   V stiffness, over_stretch;
 };
 // volumetric = J^2 U''(J), U being the volumetric energy.
-template <class V, class C>
+template <class V, class C, class Side>
 PERCAL_INLINE StepBound<V> step_bound_with(V volumetric, const Stretches<V>& s, const IsochoricPowers<V>& g,
-                                           const PrincipalStress<V>& t, C mu, RealOf<V> per_width2,
-                                           RealOf<V> per_height2, RealOf<V> per_hoop2) {
+                                           const PrincipalStress<V>& t, C mu, Side per_width2, Side per_height2,
+                                           Side per_hoop2) {
   using Real = RealOf<V>;
   const V common = volumetric + (mu * Real(2.0 / 9)) * (g.first + g.second + g.hoop);
   const C three = mu * Real(2.0 / 3);

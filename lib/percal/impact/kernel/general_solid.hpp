@@ -1,6 +1,7 @@
 // A target that is more than one layer of the plain solid: layers, other volumetric laws, stress that relaxes, erosion
 // by stress or energy, viscous hourglass control. The verbs are those of UniformSolid. docs/theory/target.md.
 #pragma once
+#include "percal/impact/kernel/fibres.hpp"
 #include "percal/impact/kernel/relaxing_stress.hpp"
 #include "percal/impact/kernel/uniform_solid.hpp"
 
@@ -9,8 +10,12 @@ namespace percal::PERCAL_LEVEL {
 // Besides those of the plain solid.
 template <class C>
 struct GeneralConstants : SolidConstants<C> {
-  C per_density, energy_scale;  // 2 mu/alpha^2
+  C per_density;                // of the solid before it was stretched
+  C energy_scale;               // 2 mu/alpha^2
   C hourglass_inverse_step;     // 1/dt that the viscosity of the hourglass mode needs
+  C initial_r, initial_z, initial_hoop, per_initial_jacobian;
+  C fibre_k1, fibre_k2, fibre_kappa;
+  C per_squared_stretch_less_one, per_stress, per_energy;  // 1/limit of each measure where several decide
 };
 
 // take(of a, of b) for each of them.
@@ -29,13 +34,42 @@ void each_constant(GeneralConstants<A>& a, const GeneralConstants<B>& b, Take ta
   take(a.per_density, b.per_density);
   take(a.energy_scale, b.energy_scale);
   take(a.hourglass_inverse_step, b.hourglass_inverse_step);
+  take(a.initial_r, b.initial_r);
+  take(a.initial_z, b.initial_z);
+  take(a.initial_hoop, b.initial_hoop);
+  take(a.per_initial_jacobian, b.per_initial_jacobian);
+  take(a.fibre_k1, b.fibre_k1);
+  take(a.fibre_k2, b.fibre_k2);
+  take(a.fibre_kappa, b.fibre_kappa);
+  take(a.per_squared_stretch_less_one, b.per_squared_stretch_less_one);
+  take(a.per_stress, b.per_stress);
+  take(a.per_energy, b.per_energy);
+}
+
+// By what measures are multiplied to be shares of their limits: lambda^2 - 1, stress, energy. 0 where there is none.
+struct SharesOfLimits {
+  double stretch, stress, energy;
+};
+PERCAL_INLINE SharesOfLimits per_limits(const MaterialConstants& m) {
+  const auto per = [](double limit) { return limit < no_erosion ? 1 / limit : 0; };
+  return {per(m.erosion_stretch * m.erosion_stretch - 1), per(m.stress_limit), per(m.energy_limit)};
 }
 
 template <class Real>
 PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& m, const ColumnShape& shape,
                                                        HourglassKind hourglass, ErosionKind erosion) {
-  GeneralConstants<Real> c{solid_constants<Real>(m, shape), Real(1 / m.density), Real(2 * m.mu / (m.alpha * m.alpha)),
-                           Real(0)};
+  GeneralConstants<Real> c{};
+  static_cast<SolidConstants<Real>&>(c) = solid_constants<Real>(m, shape);
+  const double initial_jacobian = m.initial.jacobian();
+  c.per_density = Real(1 / (m.density * initial_jacobian));
+  c.energy_scale = Real(2 * m.mu / (m.alpha * m.alpha));
+  c.initial_r = Real(m.initial.r);
+  c.initial_z = Real(m.initial.z);
+  c.initial_hoop = Real(m.initial.hoop);
+  c.per_initial_jacobian = Real(1 / initial_jacobian);
+  c.fibre_k1 = Real(m.fibres.k1);
+  c.fibre_k2 = Real(m.fibres.k2);
+  c.fibre_kappa = Real(m.fibres.kappa);
   if (hourglass == HourglassKind::viscosity) {
     const double impedance = __builtin_sqrt((m.bulk + 4.0 / 3 * m.mu) * m.density);
     const double length = __builtin_sqrt(shape.width * shape.height);
@@ -43,6 +77,13 @@ PERCAL_INLINE GeneralConstants<Real> general_constants(const MaterialConstants& 
     c.hourglass_inverse_step = Real(2 * m.hourglass * impedance / (m.density * length));
   }
   if (erosion != ErosionKind::stretch) c.erosion_limit = bounded_limit<Real>(m.erosion_limit);
+  if (erosion == ErosionKind::several) {
+    c.erosion_limit = Real(1);
+    const SharesOfLimits per = per_limits(m);
+    c.per_squared_stretch_less_one = Real(per.stretch);
+    c.per_stress = Real(per.stress);
+    c.per_energy = Real(per.energy);
+  }
   return c;
 }
 
@@ -52,6 +93,7 @@ class GeneralSolid {
   using V = typename VectorOf<Real>::type;
   using Constants = GeneralConstants<V>;
   static constexpr int lanes = Lane<V>::count;
+  static constexpr bool in_pairs = false;
 
   GeneralSolid(const FieldsView<Real>& fields, const GeneralSolidView<Real>& view, const ColumnShape& shape, int column,
                double previous_step)
@@ -71,6 +113,22 @@ class GeneralSolid {
     return constants_;
   }
 
+  // docs/theory/target.md (16), (17).
+  PERCAL_INLINE void add_initial_stretch(Gradient<V>& F) const {
+    if (!view_.is_stretched) return;
+    const Constants& c = constants_;
+    F = {F.rr * c.initial_r, F.rz * c.initial_z, F.zr * c.initial_r, F.zz * c.initial_z, F.hoop * c.initial_hoop};
+  }
+  PERCAL_INLINE void refer_to_mesh(Piola<V>& P) const {
+    if (!view_.is_stretched) return;
+    const Constants& c = constants_;
+    const V r = c.initial_r * c.per_initial_jacobian, z = c.initial_z * c.per_initial_jacobian;
+    P = {P.rr * r, P.rz * z, P.zr * r, P.zz * z, P.hoop * (c.initial_hoop * c.per_initial_jacobian)};
+  }
+  PERCAL_INLINE V per_mesh_volume(V energy) const {
+    return view_.is_stretched ? energy * constants_.per_initial_jacobian : energy;
+  }
+
   PERCAL_INLINE CornerForce<V> hourglass_force(int j, V mode_r, V mode_z) {
     if (view_.hourglass_kind == HourglassKind::stiffness)
       return {mode_r * constants_.hourglass, mode_z * constants_.hourglass};
@@ -88,12 +146,14 @@ class GeneralSolid {
     return kirchhoff_pressure(view_.pressure_law, s.jacobian, constants_.bulk) - q * s.jacobian;
   }
 
-  PERCAL_INLINE void relax(int j, const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
-                           Piola<V>& P) {
+  // Of fibres, and what relaxation has changed.
+  PERCAL_INLINE void add_further_stress(int j, const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
+                                        Piola<V>& P) {
+    if (view_.has_fibres) add_fibres(F, s, P);
     if (view_.relaxation.terms == 0) return;
     const auto change = relaxing_stress_.advance(j, F, second_piola(s, t));
-    relaxing_work_ = change.work;
-    relaxing_work_if_gone_ = change.work_if_gone;
+    relaxing_work_ = per_mesh_volume(change.work);
+    relaxing_work_if_gone_ = per_mesh_volume(change.work_if_gone);
     const Piola<V> more = pushed(F, change.stress);
     P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
     stiffer_ = larger(largest_principal(kirchhoff(F, more)), V{});
@@ -104,8 +164,9 @@ class GeneralSolid {
   PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
                                            const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
     const V volumetric = volumetric_stiffness(view_.pressure_law, s.jacobian, constants_.bulk);
-    StepBound<V> bound = step_bound_with(volumetric, s, g, t, constants_.mu, per.width2, per.height2, per.hoop2);
+    StepBound<V> bound = bound_between(volumetric, s, g, t, per);
     if (view_.relaxation.terms > 0) bound.stiffness += stiffer_ * bound.over_stretch;
+    if (view_.has_fibres) bound.stiffness += fibre_stiffness_ * bound.over_stretch;
     return bound;
   }
   PERCAL_INLINE V inverse_step(const StepBound<V>& bound, V drag_times_density) const {
@@ -117,14 +178,15 @@ class GeneralSolid {
   PERCAL_INLINE V erosion_measure(const Gradient<V>& F, const Stretches<V>& s, const IsochoricPowers<V>& g,
                                   const Piola<V>& P, V q) const {
     switch (view_.erosion_kind) {
-      case ErosionKind::stress: return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
+      case ErosionKind::stress: return tension(F, s, P, q);
       case ErosionKind::energy:
-      case ErosionKind::averaged_energy:
-        return isochoric_energy(g, constants_.energy_scale) +
-               volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+      case ErosionKind::averaged_energy: return energy(s, g);
+      case ErosionKind::several:  // the largest share of a limit
+        return larger((squared_stretch(F, s) - Real(1)) * constants_.per_squared_stretch_less_one,
+                      larger(tension(F, s, P, q) * constants_.per_stress, energy(s, g) * constants_.per_energy));
       case ErosionKind::stretch: break;
     }
-    return larger(s.first2, F.hoop * F.hoop);
+    return squared_stretch(F, s);
   }
 
   PERCAL_INLINE auto at_limit(int j, V state, V now, V change, bool again, ColumnReport& report) const {
@@ -147,6 +209,34 @@ class GeneralSolid {
   }
 
  private:
+  PERCAL_INLINE V squared_stretch(const Gradient<V>& F, const Stretches<V>& s) const {
+    return larger(s.first2, F.hoop * F.hoop);
+  }
+  // Largest principal Cauchy stress, without the bulk viscosity that is in P.
+  PERCAL_INLINE V tension(const Gradient<V>& F, const Stretches<V>& s, const Piola<V>& P, V q) const {
+    return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
+  }
+  PERCAL_INLINE V energy(const Stretches<V>& s, const IsochoricPowers<V>& g) const {
+    const V matrix = isochoric_energy(g, constants_.energy_scale) +
+                     volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+    return view_.has_fibres ? matrix + fibre_energy_ : matrix;
+  }
+  PERCAL_INLINE void add_fibres(const Gradient<V>& F, const Stretches<V>& s, Piola<V>& P) {
+    const auto fibres = fibre_response(F, s, constants_.fibre_k1, constants_.fibre_k2, constants_.fibre_kappa);
+    const Piola<V>& more = fibres.stress;
+    P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+    fibre_energy_ = fibres.energy;
+    fibre_stiffness_ = fibres.stiffness;
+  }
+  // The unstretched element has sides of its own.
+  PERCAL_INLINE StepBound<V> bound_between(V volumetric, const Stretches<V>& s, const IsochoricPowers<V>& g,
+                                           const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
+    if (!view_.is_stretched)
+      return step_bound_with(volumetric, s, g, t, constants_.mu, per.width2, per.height2, per.hoop2);
+    const Constants& c = constants_;
+    return step_bound_with(volumetric, s, g, t, c.mu, per.width2 * (c.initial_r * c.initial_r),
+                           per.height2 * (c.initial_z * c.initial_z), per.hoop2 * (c.initial_hoop * c.initial_hoop));
+  }
   const SolidLayer& layer_of(int row) const {
     int k = 0;
     while (k + 1 < view_.layer_count && row >= view_.layers[k].end) ++k;
@@ -181,6 +271,7 @@ class GeneralSolid {
   int valid_below_ = -1;
   // Of the group at hand.
   V hourglass_work_{}, hourglass_work_if_gone_{}, relaxing_work_{}, relaxing_work_if_gone_{}, stiffer_{};
+  V fibre_energy_{}, fibre_stiffness_{};
   // Of the column.
   V dissipated_{}, relaxed_{};
 };

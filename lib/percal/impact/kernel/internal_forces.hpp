@@ -2,6 +2,7 @@
 // (kernel_level.cpp).
 #pragma once
 #include "percal/impact/kernel/general_solid.hpp"
+#include "percal/impact/kernel/pair.hpp"
 #include "percal/impact/kernel/uniform_solid.hpp"
 
 namespace percal::PERCAL_LEVEL {
@@ -13,109 +14,139 @@ PERCAL_INLINE V first_lane(RealOf<V> x) {
   return v;
 }
 
-// Corners: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner lower (i, j+1). What the solid
-// is made of answers through `solid`: UniformSolid, AveragedSolid or GeneralSolid.
+// The walk down one column of elements. Corners: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner lower
+// (i, j+1). What the solid is made of answers through `solid`: UniformSolid, AveragedSolid or GeneralSolid.
 template <class Real, class Solid>
-PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces,
-                                    int column, Rows rows, const ColumnShape& shape, double previous_step,
-                                    const StiffnessWatch& watch, ColumnReport& report) {
-  using V = typename VectorOf<Real>::type;
-  constexpr int lanes = Lane<V>::count;
-  const long inner = static_cast<long>(column) * fields.stride, outer = inner + fields.stride;
-  const Real *ur0 = fields.u_r + inner, *ur1 = fields.u_r + outer, *uz0 = fields.u_z + inner, *uz1 = fields.u_z + outer;
-  Real *fr0 = forces.inner_r, *fr1 = forces.outer_r, *fz0 = forces.inner_z, *fz1 = forces.outer_z;
-  Real *jacobian = fields.jacobian + inner, *viscous = fields.viscous_pressure + inner,
-       *measure = fields.erosion_measure + inner, *alive = fields.alive + inner;
-  const bool first = forces.first;
+class ColumnWalk {
+  using Vector = typename VectorOf<Real>::type;
+  static constexpr int lanes = Lane<Vector>::count;
 
-  const double area = shape.width * shape.height, volume = shape.thickness * area;
-  const Real half_per_width = Real(0.5 / shape.width), half_per_height = Real(0.5 / shape.height);
-  const Real quarter_per_radius = Real(0.25 * shape.per_radius);
-  const Real to_r = Real(volume * 0.5 / shape.width), to_z = Real(volume * 0.5 / shape.height),
-             to_hoop = Real(shape.per_radius > 0 ? 0.25 * area : 0);
-  const InverseSides<Real> per{
-      .width2 = Real(1 / (shape.width * shape.width)),
-      .height2 = Real(1 / (shape.height * shape.height)),
-      .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)};
-  const Real length = Real(__builtin_sqrt(area));
-  const bool again = !(previous_step > 0);  // nothing has moved: what depends on rates is as it was
-  const Real per_step = again ? Real(0) : Real(1 / previous_step);
-  const Real watched = Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number);
+ public:
+  PERCAL_INLINE ColumnWalk(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column,
+                           const ColumnShape& shape, double previous_step, const StiffnessWatch& watch,
+                           ColumnReport& report)
+      : solid_(solid),
+        watch_(watch),
+        report_(report),
+        fr0_(forces.inner_r),
+        fz0_(forces.inner_z),
+        fr1_(forces.outer_r),
+        fz1_(forces.outer_z),
+        first_(forces.first),
+        volume_(shape.thickness * shape.width * shape.height),
+        half_per_width_(Real(0.5 / shape.width)),
+        half_per_height_(Real(0.5 / shape.height)),
+        quarter_per_radius_(Real(0.25 * shape.per_radius)),
+        to_r_(Real(volume_ * 0.5 / shape.width)),
+        to_z_(Real(volume_ * 0.5 / shape.height)),
+        to_hoop_(Real(shape.per_radius > 0 ? 0.25 * shape.width * shape.height : 0)),
+        length_(Real(__builtin_sqrt(shape.width * shape.height))),
+        per_{.width2 = Real(1 / (shape.width * shape.width)),
+             .height2 = Real(1 / (shape.height * shape.height)),
+             .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)},
+        again_(!(previous_step > 0)),
+        per_step_(again_ ? Real(0) : Real(1 / previous_step)),
+        watched_(Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number)) {
+    const long inner = static_cast<long>(column) * fields.stride, outer = inner + fields.stride;
+    ur0_ = fields.u_r + inner, ur1_ = fields.u_r + outer, uz0_ = fields.u_z + inner, uz1_ = fields.u_z + outer;
+    jacobian_ = fields.jacobian + inner, viscous_ = fields.viscous_pressure + inner;
+    measure_ = fields.erosion_measure + inner, alive_ = fields.alive + inner;
+  }
 
-  const V zero{};
-  // What the rows before gave to their lower corners.
-  V lower_r0 = zero, lower_z0 = zero, lower_r1 = zero, lower_z1 = zero;
-  V work = zero, steepest = zero, tightest = broadcast<V>(Real(1e30));
-
-  for (int j = rows.begin; j < rows.end; j += lanes) {
-    const V state = load<V>(alive + j);
-    auto live = state > Real(0);
-    if (!any(live)) {
-      const V last_r0 = first_lane<V>(lower_r0[lanes - 1]), last_z0 = first_lane<V>(lower_z0[lanes - 1]);
-      store(fr0 + j, first ? last_r0 : load<V>(fr0 + j) + last_r0);
-      store(fz0 + j, first ? last_z0 : load<V>(fz0 + j) + last_z0);
-      store(fr1 + j, first_lane<V>(lower_r1[lanes - 1]));
-      store(fz1 + j, first_lane<V>(lower_z1[lanes - 1]));
-      lower_r0 = lower_z0 = lower_r1 = lower_z1 = zero;
-      continue;
+  PERCAL_INLINE void over(Rows rows) {
+    for (int j = rows.begin; j < rows.end;) {
+      const bool lives = is_live(j);
+      if constexpr (Solid::in_pairs)
+        if (lives && j + 2 * lanes <= rows.end && is_live(j + lanes)) {
+          take_group<Pair<Vector>>(j);
+          report_.groups += 2;
+          j += 2 * lanes;
+          continue;
+        }
+      if (lives)
+        take_group<Vector>(j);
+      else
+        close_nodes(j);
+      report_.groups += lives;
+      j += lanes;
     }
-    const auto& material = solid.at(j);
+    close_nodes(rows.end);
+    report_.viscous_work += volume_ * lane_sum(work_);
+    solid_.report(volume_, report_);
+    const double inverse_step = static_cast<double>(lane_largest(steepest_)),
+                 least = static_cast<double>(lane_smallest(tightest_));
+    if (inverse_step > report_.largest_inverse_step) report_.largest_inverse_step = inverse_step;
+    if (least < report_.smallest_jacobian) report_.smallest_jacobian = least;
+  }
+
+ private:
+  PERCAL_INLINE bool is_live(int j) const { return any(load<Vector>(alive_ + j) > Real(0)); }
+
+  // V: a vector, or two of them side by side.
+  template <class V>
+  PERCAL_INLINE void take_group(int j) {
+    const V zero = broadcast<V>(Real(0));
+    const V state = load<V>(alive_ + j);
+    auto live = state > Real(0);
+    const auto& material = solid_.at(j);
     // Gather. Sums and differences over the diagonals give gradient and hourglass mode with few operations.
-    const V ra = load<V>(ur0 + j), rb = load<V>(ur1 + j), rc = load<V>(ur1 + j + 1), rd = load<V>(ur0 + j + 1);
-    const V za = load<V>(uz0 + j), zb = load<V>(uz1 + j), zc = load<V>(uz1 + j + 1), zd = load<V>(uz0 + j + 1);
+    const V ra = load<V>(ur0_ + j), rb = load<V>(ur1_ + j), rc = load<V>(ur1_ + j + 1), rd = load<V>(ur0_ + j + 1);
+    const V za = load<V>(uz0_ + j), zb = load<V>(uz1_ + j), zc = load<V>(uz1_ + j + 1), zd = load<V>(uz0_ + j + 1);
     const V r_ac = rc - ra, r_bd = rb - rd, z_ac = zc - za, z_bd = zb - zd;
     Gradient<V> F;
-    F.rr = (r_ac + r_bd) * half_per_width + Real(1);
-    F.rz = (r_ac - r_bd) * half_per_height;
-    F.zr = (z_ac + z_bd) * half_per_width;
-    F.zz = (z_ac - z_bd) * half_per_height + Real(1);
-    F.hoop = larger(((ra + rc) + (rb + rd)) * quarter_per_radius + Real(1), broadcast<V>(Real(1e-3)));
-    const auto hourglass = solid.hourglass_force(j, (ra - rb) + (rc - rd), (za - zb) + (zc - zd));
+    F.rr = (r_ac + r_bd) * half_per_width_ + Real(1);
+    F.rz = (r_ac - r_bd) * half_per_height_;
+    F.zr = (z_ac + z_bd) * half_per_width_;
+    F.zz = (z_ac - z_bd) * half_per_height_ + Real(1);
+    F.hoop = larger(((ra + rc) + (rb + rd)) * quarter_per_radius_ + Real(1), broadcast<V>(Real(1e-3)));
+    solid_.add_initial_stretch(F);
+    const auto hourglass = solid_.hourglass_force(j, (ra - rb) + (rc - rd), (za - zb) + (zc - zd));
 
     // Compute.
     const Stretches<V> s = stretches(F);
     const IsochoricPowers<V> g = isochoric_powers(F, s, material.alpha);
     const PrincipalStress<V> t = isochoric_stress(g, material.two_mu_over_alpha);
-    const V old_jacobian = load<V>(jacobian + j), old_viscous = load<V>(viscous + j);
-    const V closing = larger((old_jacobian - s.jacobian) * per_step * s.inverse_jacobian, zero);  // -tr D
-    const V current_length = length * square_root(s.in_plane_jacobian);
+    const V old_jacobian = load<V>(jacobian_ + j), old_viscous = load<V>(viscous_ + j);
+    const V closing = larger((old_jacobian - s.jacobian) * per_step_ * s.inverse_jacobian, zero);  // -tr D
+    const V current_length = length_ * square_root(s.in_plane_jacobian);
     const V damping =
         current_length * (material.linear_viscosity + material.quadratic_viscosity * current_length * closing);
-    V q = again ? old_viscous : damping * closing;
-    Piola<V> P = first_piola(F, s, t, solid.volumetric_stress(s, q));
-    solid.relax(j, F, s, t, P);
+    V q = again_ ? old_viscous : damping * closing;
+    Piola<V> P = first_piola(F, s, t, solid_.volumetric_stress(s, q));
+    solid_.add_further_stress(j, F, s, t, P);
 
-    const StepBound<V> bound = solid.bound_of_step(s, g, t, per);
-    const V inverse_step = solid.inverse_step(bound, damping * s.jacobian * bound.over_stretch);
+    const StepBound<V> bound = solid_.bound_of_step(s, g, t, per_);
+    const V inverse_step = solid_.inverse_step(bound, damping * s.jacobian * bound.over_stretch);
 
     // Erode. What decides is judged half a step ahead, so that on average an element goes neither early nor late.
-    const V now = solid.erosion_measure(F, s, g, P, q), change = now - load<V>(measure + j);
-    store(measure + j, now);
-    const auto at_limit = solid.at_limit(j, state, now, change, again, report);
+    const V now = solid_.erosion_measure(F, s, g, P, q), change = now - load<V>(measure_ + j);
+    store(measure_ + j, now);
+    const auto at_limit = solid_.at_limit(j, state, now, change, again_, report_);
     auto gone = live & (at_limit | (s.unbounded_jacobian < material.smallest_jacobian) |
                         (inverse_step > material.largest_inverse_step));
-    if (again) gone = gone & ~gone;  // who was judged is not judged again: nobody would take it out
+    if (again_) gone = gone & ~gone;  // who was judged is not judged again: nobody would take it out
     if (__builtin_expect(any(gone), 0)) {
-      for (int l = 0; l < lanes; ++l)
-        if (gone[l]) {
-          alive[j + l] = at_limit[l] ? Real(-1) : Real(-2);
-          ++report.doomed;
-        }
-      work += select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero);
+      const V why = select(at_limit, broadcast<V>(Real(-1)), broadcast<V>(Real(-2)));
+      store(alive_ + j, select(gone, why, load<V>(alive_ + j)));
+      report_.doomed += static_cast<int>(lane_sum(select(gone, broadcast<V>(Real(1)), zero)));
+      const V lost = select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero);
+      add(work_, solid_.per_mesh_volume(lost));
       live = live & ~gone;
     }
-    solid.close_group(j, live, gone);
+    solid_.close_group(j, live, gone);
     q = select(live, q, zero);
     const V steep = select(live, inverse_step, zero);
-    if (__builtin_expect(any(steep > watched), 0)) watch.flags[j / lanes] = 1;
-    steepest = larger(steepest, steep);
-    tightest = smaller(tightest, select(live, s.unbounded_jacobian, tightest));
-    work += select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero);
-    store(jacobian + j, s.jacobian);
-    store(viscous + j, q);
+    flag(steep > watched_, j);
+    steepest_ = largest(steepest_, steep);
+    tightest_ = smallest(tightest_, select(live, s.unbounded_jacobian, broadcast<V>(Real(1e30))));
+    const V lost = select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero);
+    add(work_, solid_.per_mesh_volume(lost));
+    store(jacobian_ + j, s.jacobian);
+    store(viscous_ + j, q);
 
+    solid_.refer_to_mesh(P);
     // Scatter. The hourglass force comes last everywhere, so that a mirrored scene has mirrored bits.
-    const V rr = P.rr * to_r, rz = P.rz * to_z, zr = P.zr * to_r, zz = P.zz * to_z, hoop = P.hoop * to_hoop;
+    const V rr = P.rr * to_r_, rz = P.rz * to_z_, zr = P.zr * to_r_, zz = P.zz * to_z_, hoop = P.hoop * to_hoop_;
     const V sum_r = rr + rz, difference_r = rr - rz, sum_z = zr + zz, difference_z = zr - zz;
     const V upper_r0 = select(live, sum_r - hoop - hourglass.r, zero),
             upper_r1 = select(live, hourglass.r - (difference_r + hoop), zero);
@@ -125,36 +156,63 @@ PERCAL_INLINE void forces_of_column(Solid& solid, const FieldsView<Real>& fields
             upper_z1 = select(live, hourglass.z - difference_z, zero);
     const V below_z1 = select(live, -sum_z - hourglass.z, zero),
             below_z0 = select(live, difference_z + hourglass.z, zero);
-    const V inner_r = upper_r0 + shifted(below_r0, lower_r0), inner_z = upper_z0 + shifted(below_z0, lower_z0);
-    store(fr0 + j, first ? inner_r : load<V>(fr0 + j) + inner_r);
-    store(fz0 + j, first ? inner_z : load<V>(fz0 + j) + inner_z);
-    store(fr1 + j, upper_r1 + shifted(below_r1, lower_r1));
-    store(fz1 + j, upper_z1 + shifted(below_z1, lower_z1));
-    lower_r0 = below_r0;
-    lower_z0 = below_z0;
-    lower_r1 = below_r1;
-    lower_z1 = below_z1;
+    give_inner(fr0_ + j, upper_r0 + shifted(below_r0, lower_r0_));
+    give_inner(fz0_ + j, upper_z0 + shifted(below_z0, lower_z0_));
+    store(fr1_ + j, upper_r1 + shifted(below_r1, lower_r1_));
+    store(fz1_ + j, upper_z1 + shifted(below_z1, lower_z1_));
+    lower_r0_ = last_vector(below_r0);
+    lower_z0_ = last_vector(below_z0);
+    lower_r1_ = last_vector(below_r1);
+    lower_z1_ = last_vector(below_z1);
   }
-  const V last_r0 = first_lane<V>(lower_r0[lanes - 1]), last_z0 = first_lane<V>(lower_z0[lanes - 1]);
-  store(fr0 + rows.end, first ? last_r0 : load<V>(fr0 + rows.end) + last_r0);
-  store(fz0 + rows.end, first ? last_z0 : load<V>(fz0 + rows.end) + last_z0);
-  store(fr1 + rows.end, first_lane<V>(lower_r1[lanes - 1]));
-  store(fz1 + rows.end, first_lane<V>(lower_z1[lanes - 1]));
 
-  report.viscous_work += volume * lane_sum(work);
-  solid.report(volume, report);
-  const double inverse_step = static_cast<double>(lane_largest(steepest)),
-               least = static_cast<double>(lane_smallest(tightest));
-  if (inverse_step > report.largest_inverse_step) report.largest_inverse_step = inverse_step;
-  if (least < report.smallest_jacobian) report.smallest_jacobian = least;
-}
+  // Remembers the groups that have one of these.
+  template <class M>
+  PERCAL_INLINE void flag(M mask, int j) const {
+    if (__builtin_expect(any(mask), 0)) watch_.flags[j / lanes] = 1;
+  }
+  template <class M>
+  PERCAL_INLINE void flag(Pair<M> mask, int j) const {
+    flag(mask.a, j);
+    flag(mask.b, j + lanes);
+  }
+
+  template <class V>
+  PERCAL_INLINE void give_inner(Real* force, V own) const {
+    store(force, first_ ? own : load<V>(force) + own);
+  }
+
+  // Nodes from row j on to which only the rows before give something.
+  PERCAL_INLINE void close_nodes(int j) {
+    give_inner(fr0_ + j, first_lane<Vector>(lower_r0_[lanes - 1]));
+    give_inner(fz0_ + j, first_lane<Vector>(lower_z0_[lanes - 1]));
+    store(fr1_ + j, first_lane<Vector>(lower_r1_[lanes - 1]));
+    store(fz1_ + j, first_lane<Vector>(lower_z1_[lanes - 1]));
+    lower_r0_ = lower_z0_ = lower_r1_ = lower_z1_ = Vector{};
+  }
+
+  Solid& solid_;
+  const StiffnessWatch& watch_;
+  ColumnReport& report_;
+  const Real *ur0_, *ur1_, *uz0_, *uz1_;
+  Real *fr0_, *fz0_, *fr1_, *fz1_, *jacobian_, *viscous_, *measure_, *alive_;
+  const bool first_;
+  const double volume_;
+  const Real half_per_width_, half_per_height_, quarter_per_radius_, to_r_, to_z_, to_hoop_, length_;
+  const InverseSides<Real> per_;
+  const bool again_;  // nothing has moved: what depends on rates is as it was
+  const Real per_step_, watched_;
+  // What the rows before gave to their lower corners.
+  Vector lower_r0_{}, lower_z0_{}, lower_r1_{}, lower_z1_{};
+  Vector work_{}, steepest_{}, tightest_ = broadcast<Vector>(Real(1e30));
+};
 
 template <class Real>
 void internal_forces(const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column, Rows rows,
                      const ColumnShape& shape, const MaterialConstants& material, double previous_step,
                      const StiffnessWatch& watch, ColumnReport& report) {
   UniformSolid<Real> solid(material, shape);
-  forces_of_column(solid, fields, forces, column, rows, shape, previous_step, watch, report);
+  ColumnWalk(solid, fields, forces, column, shape, previous_step, watch, report).over(rows);
 }
 
 template <class Real>
@@ -162,7 +220,7 @@ void internal_forces_averaged(const FieldsView<Real>& fields, const ColumnForces
                               const ColumnShape& shape, const MaterialConstants& material, double previous_step,
                               const StiffnessWatch& watch, ColumnReport& report) {
   AveragedSolid<Real> solid(material, shape, fields, column);
-  forces_of_column(solid, fields, forces, column, rows, shape, previous_step, watch, report);
+  ColumnWalk(solid, fields, forces, column, shape, previous_step, watch, report).over(rows);
 }
 
 template <class Real>
@@ -170,7 +228,7 @@ void internal_forces_general(const FieldsView<Real>& fields, const ColumnForces<
                              const ColumnShape& shape, const GeneralSolidView<Real>& view, double previous_step,
                              const StiffnessWatch& watch, ColumnReport& report) {
   GeneralSolid<Real> solid(fields, view, shape, column, previous_step);
-  forces_of_column(solid, fields, forces, column, rows, shape, previous_step, watch, report);
+  ColumnWalk(solid, fields, forces, column, shape, previous_step, watch, report).over(rows);
 }
 
 }  // namespace percal::PERCAL_LEVEL

@@ -47,6 +47,19 @@ struct ColumnShape {
   bool at_axis;
 };
 
+// What an element of a layer has been stretched by before it came to stand as the mesh has it; its sides are the mesh's.
+struct InitialStretch {
+  double r = 1, z = 1, hoop = 1;
+  double jacobian() const { return r * z * hoop; }
+  bool is_none() const { return r == 1 && z == 1 && hoop == 1; }
+};
+
+// PlanarFibres of scene/scene.hpp, which brings too much here.
+struct FibreConstants {
+  double k1 = 0, k2 = 1, kappa = 0.5;
+  bool is_none() const { return k1 == 0; }
+};
+
 struct MaterialConstants {
   double mu, bulk, alpha;
   double hourglass;             // stiffness of the hourglass mode over mu, or its viscosity over the wave impedance
@@ -56,7 +69,11 @@ struct MaterialConstants {
   double smallest_jacobian;     // an element below it is taken out (0: none)
   double largest_inverse_step;  // an element above it is taken out (infinite: none)
   double density = 1;           // over the first layer's
-  double erosion_limit = 1e30;  // of stress or energy density, where that decides (ErosionKind); infinite likewise
+  double erosion_limit = 1e30;  // of stress or energy density, where that alone decides (ErosionKind); infinite likewise
+  // Beside erosion_stretch, where the first limit reached decides (ErosionKind::several); infinite likewise.
+  double stress_limit = 1e30, energy_limit = 1e30;
+  InitialStretch initial = {};
+  FibreConstants fibres = {};
 };
 inline constexpr double no_erosion = 1e15;  // limits from here on are infinite
 
@@ -67,7 +84,7 @@ enum class PressureLaw {
   logarithmic
 };  // VolumetricLaw of scene/scene.hpp, which brings too much here
 enum class HourglassKind { stiffness, viscosity };
-enum class ErosionKind { stretch, stress, energy, averaged_energy };
+enum class ErosionKind { stretch, stress, energy, averaged_energy, several };
 
 struct SolidLayer {
   int begin, end;  // rows of elements
@@ -113,6 +130,8 @@ struct GeneralSolidView {
   ErosionKind erosion_kind;
   HourglassView<Real> hourglass;
   RelaxationView<Real> relaxation;
+  bool is_stretched;  // before the impact: some layer
+  bool has_fibres;    // some layer
   double time = 0;  // of the displacements
 };
 
@@ -131,6 +150,7 @@ struct ColumnReport {
   double largest_inverse_step = 0;  // 1/dt of the stable step, over live elements
   double smallest_jacobian = 1e30;  // over live elements
   int doomed = 0;                   // elements marked with alive below 0
+  int groups = 0;                   // of lanes that had live elements
   Rows candidates{1 << 30, 0};      // the first and behind the last group that has elements marked as such
 };
 

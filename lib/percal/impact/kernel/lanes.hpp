@@ -58,7 +58,17 @@ using BitsOf = typename Lane<V>::Bits;
 
 #define PERCAL_INLINE inline __attribute__((always_inline))
 
-template <class V>
+// Two vectors side by side are no vector: pair.hpp.
+template <class T>
+struct Pair;
+template <class T>
+inline constexpr bool is_pair = false;
+template <class T>
+inline constexpr bool is_pair<Pair<T>> = true;
+template <class T>
+concept Number = !is_pair<T>;
+
+template <Number V>
 PERCAL_INLINE V load(const RealOf<V>* from) {
   V v;
   __builtin_memcpy(&v, from, sizeof v);
@@ -173,24 +183,29 @@ PERCAL_INLINE bool any(M mask) {
 #endif
 }
 
-// The sum and the extremes over the lanes, in lane order.
+// The sum and the extremes over the lanes: neighbours first, then neighbours of these.
+template <class V, class Take>
+PERCAL_INLINE auto over_lanes(V v, Take take) {
+  constexpr int count = Lane<V>::count;
+  decltype(take(v[0], v[0])) x[count];
+  for (int l = 0; l < count; ++l) x[l] = v[l];
+#pragma GCC unroll 4
+  for (int apart = 1; apart < count; apart *= 2)
+#pragma GCC unroll 16
+    for (int l = 0; l < count; l += 2 * apart) x[l] = take(x[l], x[l + apart]);
+  return x[0];
+}
 template <class V>
 PERCAL_INLINE double lane_sum(V v) {
-  double sum = 0;
-  for (int l = 0; l < Lane<V>::count; ++l) sum += v[l];
-  return sum;
+  return over_lanes(v, [](double a, double b) { return a + b; });
 }
 template <class V>
 PERCAL_INLINE RealOf<V> lane_largest(V v) {
-  RealOf<V> x = v[0];
-  for (int l = 1; l < Lane<V>::count; ++l) x = v[l] > x ? v[l] : x;
-  return x;
+  return over_lanes(v, [](RealOf<V> a, RealOf<V> b) { return b > a ? b : a; });
 }
 template <class V>
 PERCAL_INLINE RealOf<V> lane_smallest(V v) {
-  RealOf<V> x = v[0];
-  for (int l = 1; l < Lane<V>::count; ++l) x = v[l] < x ? v[l] : x;
-  return x;
+  return over_lanes(v, [](RealOf<V> a, RealOf<V> b) { return b < a ? b : a; });
 }
 
 // `now` moved up by one lane, the last lane of `before` moving in: what element j-1 gives to node j.

@@ -82,8 +82,7 @@ struct AveragedLimit {
     store(foreseen_measure + j, foreseen);
     const auto gone = live & (state < Real(candidate)), beyond = live & ~gone & (foreseen > limit);
     if (__builtin_expect(any(beyond), 0)) {
-      for (int l = 0; l < Lane<V>::count; ++l)
-        if (beyond[l]) alive[j + l] = Real(candidate);
+      store(alive + j, select(beyond, broadcast<V>(Real(candidate)), state));
       if (report.candidates.empty()) report.candidates.begin = j;
       report.candidates.end = j + Lane<V>::count;
     }
@@ -106,37 +105,53 @@ struct CornerForce {
 template <class Real>
 class UniformSolid {
  public:
-  using V = typename VectorOf<Real>::type;
+  static constexpr bool in_pairs = true;  // groups of rows may be two vectors side by side
 
   UniformSolid(const MaterialConstants& material, const ColumnShape& shape)
       : constants_(solid_constants<Real>(material, shape)) {}
 
   // Rows j to j + lanes come next.
   PERCAL_INLINE const SolidConstants<Real>& at(int) const { return constants_; }
+  // From the gradient over the mesh to that over the unstretched solid, and back from its first Piola stress and from an energy per
+  // volume of it: the plain solid has no initial stretch.
+  template <class V>
+  PERCAL_INLINE void add_initial_stretch(Gradient<V>&) const {}
+  template <class V>
+  PERCAL_INLINE void refer_to_mesh(Piola<V>&) const {}
+  template <class V>
+  PERCAL_INLINE V per_mesh_volume(V energy) const { return energy; }
   // From the displacements of the mode.
+  template <class V>
   PERCAL_INLINE CornerForce<V> hourglass_force(int, V mode_r, V mode_z) const {
     return {mode_r * constants_.hourglass, mode_z * constants_.hourglass};
   }
   // The volumetric part of each principal Kirchhoff stress, bulk viscosity q included.
+  template <class V>
   PERCAL_INLINE V volumetric_stress(const Stretches<V>& s, V q) const {
     return kirchhoff_pressure(PressureLaw::log_quadratic, s.jacobian, constants_.bulk) - q * s.jacobian;
   }
-  PERCAL_INLINE void relax(int, const Gradient<V>&, const Stretches<V>&, const PrincipalStress<V>&, Piola<V>&) const {}
+  template <class V>
+  PERCAL_INLINE void add_further_stress(int, const Gradient<V>&, const Stretches<V>&, const PrincipalStress<V>&,
+                                        Piola<V>&) const {}
+  template <class V>
   PERCAL_INLINE StepBound<V> bound_of_step(const Stretches<V>& s, const IsochoricPowers<V>& g,
                                            const PrincipalStress<V>& t, const InverseSides<Real>& per) const {
     return step_bound(s, g, t, constants_.mu, constants_.bulk, per.width2, per.height2, per.hoop2);
   }
   // 1/dt of the element, `drag` by viscosity.
+  template <class V>
   PERCAL_INLINE V inverse_step(const StepBound<V>& bound, V drag) const {
-    return square_root(larger(bound.stiffness, V{}) + drag * drag) + drag;
+    return square_root(larger(bound.stiffness, broadcast<V>(Real(0))) + drag * drag) + drag;
   }
   // The largest squared stretch.
+  template <class V>
   PERCAL_INLINE V erosion_measure(const Gradient<V>& F, const Stretches<V>& s, const IsochoricPowers<V>&,
                                   const Piola<V>&, V) const {
     return larger(s.first2, F.hoop * F.hoop);
   }
   // Those that go for having reached the limit, of a measure that is `now` and has grown by `change` since the last look; at
   // one that looks again at what has not moved, both are as they were.
+  template <class V>
   PERCAL_INLINE auto at_limit(int, V, V now, V change, bool, ColumnReport&) const {
     return beyond_own_limit(now, change, constants_.erosion_limit);
   }
@@ -153,8 +168,6 @@ class UniformSolid {
 template <class Real>
 class AveragedSolid : public UniformSolid<Real> {
  public:
-  using V = typename UniformSolid<Real>::V;
-
   AveragedSolid(const MaterialConstants& material, const ColumnShape& shape, const FieldsView<Real>& fields, int column)
       : UniformSolid<Real>(material, shape),
         energy_scale_(Real(2 * material.mu / (material.alpha * material.alpha))),
@@ -162,11 +175,13 @@ class AveragedSolid : public UniformSolid<Real> {
     this->constants_.erosion_limit = bounded_limit<Real>(material.erosion_limit);
   }
 
+  template <class V>
   PERCAL_INLINE V erosion_measure(const Gradient<V>&, const Stretches<V>& s, const IsochoricPowers<V>& g,
                                   const Piola<V>&, V) const {
     return isochoric_energy(g, energy_scale_) +
            volumetric_energy(PressureLaw::log_quadratic, s.jacobian, this->constants_.bulk);
   }
+  template <class V>
   PERCAL_INLINE auto at_limit(int j, V state, V now, V change, bool again, ColumnReport& report) const {
     return limit_.condemned_ones(j, state, now, change, this->constants_.erosion_limit, again, report);
   }

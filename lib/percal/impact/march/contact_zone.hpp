@@ -16,8 +16,12 @@ namespace percal {
 template <class Real, class ParticleRun>
 class ContactZone {
  public:
-  ContactZone(Block<Real>& block, const Kernel<Real>& kernel, ParticleRun& particle)
-      : block_(block), kernel_(kernel), particle_(particle), found_(block.view().stride + kernel.lanes) {
+  ContactZone(Block<Real>& block, const Kernel<Real>& kernel, ParticleRun& particle, double friction_coefficient = 0)
+      : block_(block),
+        kernel_(kernel),
+        particle_(particle),
+        friction_coefficient_(friction_coefficient),
+        found_(block.view().stride + kernel.lanes) {
     const auto& x = block_.mesh().radius;
     while (x[columns_.begin] < -search_radius) ++columns_.begin;
     columns_.end = columns_.begin;
@@ -28,6 +32,7 @@ class ContactZone {
   // Upwards, on the particle: of the last steps.
   double force() const { return far_.force + near_.force; }
   double collisions() const { return collisions_; }
+  double friction() const { return friction_; }
 
   // Rows above the first are, and stay until the next search `margin` of depth later, higher than the particle's top; those from
   // lifted_rows_ on are lower than its tip, though they may have been lifted by more than a radius.
@@ -74,7 +79,7 @@ class ContactZone {
       particle_.foresee(0);
       for (Touch touch : meeting->touches) {
         if (touch.impulse == 0 || !(block_.view().touchable[touch.node] > 0)) continue;
-        touch.impulse = 0;
+        touch.impulse = touch.rub = 0;
         touch.now = velocity_along(touch);
         const PointVelocity particle = particle_.velocity_at(touch.x, touch.z);
         touch.rate = touch.away_x * particle.x + touch.away_z * particle.z - touch.now;
@@ -94,6 +99,22 @@ class ContactZone {
   double velocity_along(const Touch& touch) const {
     const auto& view = block_.view();
     return touch.away_x * view.v_r[touch.node] + touch.away_z * view.v_z[touch.node];
+  }
+
+  // Impulses along the surface, for those that part() has given across it. The axis holds its nodes from sliding.
+  void rub(Meeting& meeting, const NodeForces<Real>& forces, double kick) {
+    const auto& view = block_.view();
+    for (Touch& touch : meeting.touches) {
+      if (block_.mesh().radius[touch.column] == 0 && !block_.is_whole()) continue;
+      const double length = std::sqrt(touch.steepness());
+      touch.along_x = touch.away_z / length;
+      touch.along_z = -touch.away_x / length;
+      const double along = touch.along_x * forces.r[touch.node] + touch.along_z * forces.z[touch.node];
+      touch.along_now = touch.along_x * view.v_r[touch.node] + touch.along_z * view.v_z[touch.node];
+      touch.along_before = touch.along_now - kick * along * view.inverse_mass[touch.node];
+    }
+    if constexpr (requires { particle_.rub(meeting.touches, columns_, friction_coefficient_); })
+      friction_ += particle_.rub(meeting.touches, columns_, friction_coefficient_);
   }
 
   void begin(Meeting& meeting, double drift) {
@@ -132,20 +153,22 @@ class ContactZone {
       touch.before = touch.now - kick * along * view.inverse_mass[touch.node];
     }
     collisions_ += particle_.meet(meeting.touches, columns_);
+    if (friction_coefficient_ > 0) rub(meeting, forces, kick);
     push_nodes(view, meeting.touches, drift);
     double upwards = 0;
-    for (const Touch& touch : meeting.touches) upwards += touch.impulse * touch.away_z;
+    for (const Touch& touch : meeting.touches) upwards += touch.impulse * touch.away_z + touch.rub * touch.along_z;
     meeting.force = upwards / drift;
   }
 
   Block<Real>& block_;
   const Kernel<Real>& kernel_;
   ParticleRun& particle_;
+  const double friction_coefficient_;
   ContactColumns columns_;
   Rows rows_{0, 0};
   int lifted_rows_ = 0;
   Meeting far_, near_;
-  double collisions_ = 0;
+  double collisions_ = 0, friction_ = 0;  // energies
   std::vector<int> found_;
 };
 

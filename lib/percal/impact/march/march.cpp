@@ -15,6 +15,7 @@
 #include "percal/impact/settings.hpp"
 #include "percal/impact/target/constants.hpp"
 #include "percal/impact/target/contents.hpp"
+#include "percal/impact/target/initial_stretch.hpp"
 
 namespace percal {
 namespace {
@@ -32,12 +33,13 @@ class March {
         solid_(problem, block_.layers()),
         sweep_(problem, block_, kernel_, solid_, threads),
         particle_(problem),
-        zone_(block_, kernel_, particle_),
+        zone_(block_, kernel_, particle_, friction_coefficient(problem)),
         recorder_(problem.history_samples),
         layer_speeds_(problem),
         channel_(problem.channel, block_.mesh().rows),
         observer_(observer),
         substeps_(rates_of(problem)) {
+    if (solid_.is_stretched()) torn_ = !take_initial_state(block_, solid_);
     impact_energy_ = particle_.energy().kinetic;
     rows_moving_ = std::min(block_.mesh().rows, 2 * front_rows);
     if (substeps_ > 1)
@@ -129,15 +131,28 @@ class March {
                                        substeps_ > 1 && before_.has(column, row) ? last_step_ : last_far_step_);
     eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
     ++result_.eroded;
-    if (block_.view().alive[block_.at(column, row)] < -1) ++result_.distorted;
+    if (block_.view().alive[block_.at(column, row)] < -1)
+      ++result_.distorted;
+    else if (solid_.erosion_kind == ErosionKind::several)
+      ++count_of(leading_criterion(block_, solid_, column, row));
     if (!solid_.erodes(row)) inside_out_ = true;
     block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact);
+  }
+
+  long& count_of(Criterion criterion) {
+    switch (criterion) {
+      case Criterion::stress: return result_.eroded_by.stress;
+      case Criterion::energy: return result_.eroded_by.energy;
+      case Criterion::strain: break;
+    }
+    return result_.eroded_by.strain;
   }
 
   bool has_ended() {
     if (!at_deepest_) result_.depth = std::max(result_.depth, particle_.tip());
     if (!std::isfinite(zone_.force()) || !std::isfinite(viscous_work_ + relaxing_work_))
       return end(Outcome::unstable, "a force is not finite");
+    if (torn_) return end(Outcome::unstable, "the target's initial stretch alone reaches its limit of erosion");
     if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
     if (std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step * collapsed_step > 1)
       return end(Outcome::time_up, "the time step collapsed");
@@ -290,6 +305,7 @@ class March {
     energy.relaxation = relaxing_work_;
     energy.eroded = eroded_energy_;
     energy.collisions = zone_.collisions() + own.collisions;
+    energy.friction = zone_.friction();
     for (const auto& [key, share, words] : energy_terms) energy.*share /= impact_energy_;
     return energy;
   }
@@ -348,6 +364,7 @@ class March {
   double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0;
   int rows_moving_ = 0;
   bool inside_out_ = false;  // an element that does not erode
+  bool torn_ = false;        // before the impact
 };
 
 // Which run each choice of a particle gets.

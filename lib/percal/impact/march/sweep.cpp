@@ -5,15 +5,6 @@
 namespace percal {
 namespace {
 
-// The part of `count` columns that falls to a worker.
-struct Part {
-  int begin, end;
-};
-Part part_of(int count, int worker, int workers) {
-  return {static_cast<int>(static_cast<long>(count) * worker / workers),
-          static_cast<int>(static_cast<long>(count) * (worker + 1) / workers)};
-}
-
 template <class Real>
 auto plain_forces_of(const Kernel<Real>& kernel, const TargetSolid& solid) -> decltype(kernel.internal_forces) {
   if (!solid.is_plain()) return nullptr;
@@ -42,6 +33,8 @@ Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real
       near_seams_(team_.workers()),
       far_reports_(block.mesh().columns()),
       near_reports_(block.mesh().columns()),
+      all_parts_(parts_by(far_reports_, nullptr)),
+      near_parts_(all_parts_),
       stiff_(static_cast<std::size_t>(block.mesh().columns()) * (block.view().stride / kernel.lanes + 1)) {
   for (auto* seams : {&far_seams_, &near_seams_})
     for (std::size_t worker = 1; worker < seams->size(); ++worker) {
@@ -51,17 +44,37 @@ Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real
 }
 
 template <class Real>
+auto Sweep<Real>::parts_by(const std::vector<ColumnReport>& reports, const std::vector<ColumnReport>* more) const
+    -> Parts {
+  const auto columns = static_cast<int>(reports.size());
+  std::vector<long> before{0};  // what the columns before a column cost
+  for (int i = 0; i < columns; ++i)
+    before.push_back(before.back() + 1 + reports[i].groups + (more ? (*more)[i].groups : 0));
+  Parts parts{0};
+  for (long worker = 1; worker < team_.workers(); ++worker) {
+    const long share = before.back() * worker / team_.workers();
+    parts.push_back(static_cast<int>(std::lower_bound(before.begin(), before.end() - 1, share) - before.begin()));
+  }
+  parts.push_back(columns);
+  return parts;
+}
+
+template <class Real>
 SweepReport Sweep<Real>::all(const NearCells& near, int rows, double last_far_step, double last_step) {
   const int columns = block_.mesh().columns();
+  if (team_.workers() > 1) {
+    all_parts_ = parts_by(far_reports_, near.empty() ? nullptr : &near_reports_);
+    near_parts_ = parts_by(near_reports_, nullptr);
+  }
   team_.each([&](int worker) {
-    const Part mine = part_of(columns, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i) {
-      far_column(i, i == mine.begin, i > 0 ? &far_seams_[worker] : nullptr, near, rows, last_far_step);
-      if (!near.empty()) near_column(i, i == mine.begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
+    const int begin = all_parts_[worker];
+    for (int i = begin; i < all_parts_[worker + 1]; ++i) {
+      far_column(i, i == begin, i > 0 ? &far_seams_[worker] : nullptr, near, rows, last_far_step);
+      if (!near.empty()) near_column(i, i == begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
     }
   });
-  merge(block_.far_forces(), far_seams_, whole_groups(rows));
-  if (!near.empty()) merge(block_.near_forces(), near_seams_, whole_groups(rows));
+  merge(block_.far_forces(), far_seams_, all_parts_, whole_groups(rows));
+  if (!near.empty()) merge(block_.near_forces(), near_seams_, all_parts_, whole_groups(rows));
 
   SweepReport sum;
   for (int i = 0; i < columns; ++i) {
@@ -78,11 +91,11 @@ template <class Real>
 SweepReport Sweep<Real>::near_only(const NearCells& near, double last_step) {
   const int columns = block_.mesh().columns();
   team_.each([&](int worker) {
-    const Part mine = part_of(columns, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i)
-      near_column(i, i == mine.begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
+    const int begin = near_parts_[worker];
+    for (int i = begin; i < near_parts_[worker + 1]; ++i)
+      near_column(i, i == begin, i > 0 ? &near_seams_[worker] : nullptr, near, last_step);
   });
-  merge(block_.near_forces(), near_seams_, block_.view().stride - kernel_.lanes);
+  merge(block_.near_forces(), near_seams_, near_parts_, block_.view().stride - kernel_.lanes);
   SweepReport sum;
   for (int i = 0; i < columns; ++i) {
     take_in(near_reports_[i], sum.near_inverse_step, sum);
@@ -148,9 +161,10 @@ void Sweep<Real>::near_column(int column, bool first, Seam* seam, const NearCell
 }
 
 template <class Real>
-void Sweep<Real>::merge(const NodeForces<Real>& forces, std::vector<Seam>& seams, int rows) {
+void Sweep<Real>::merge(const NodeForces<Real>& forces, std::vector<Seam>& seams, const Parts& parts, int rows) {
   for (int worker = 1; worker < team_.workers(); ++worker) {
-    const long start = block_.at(part_of(block_.mesh().columns(), worker, team_.workers()).begin, 0);
+    if (parts[worker] == parts[worker + 1] || parts[worker] == 0) continue;
+    const long start = block_.at(parts[worker], 0);
     Seam& seam = seams[worker];
     for (int j = 0; j < rows + kernel_.lanes; ++j) {
       forces.r[start + j] += seam.r[j];
@@ -169,11 +183,16 @@ void Sweep<Real>::take_in(const ColumnReport& report, double& inverse_step, Swee
   inverse_step = std::max(inverse_step, report.largest_inverse_step);
 }
 
+// The last worker moves the last column of nodes, too.
+template <class Real>
+int Sweep<Real>::end_of_nodes(const Parts& parts, int worker) const {
+  return parts[worker + 1] + (worker + 1 == team_.workers() ? 1 : 0);
+}
+
 template <class Real>
 void Sweep<Real>::move_far(const NearCells& near, int rows, double kick, double drift) {
   team_.each([&](int worker) {
-    const Part mine = part_of(block_.mesh().columns() + 1, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i) {
+    for (int i = all_parts_[worker]; i < end_of_nodes(all_parts_, worker); ++i) {
       const auto move = [&](Rows run, double far) {
         kernel_.kick_and_drift(block_.view(), block_.far_forces(), i, run, held(i), kick, far);
       };
@@ -192,8 +211,7 @@ template <class Real>
 void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
   if (near.empty()) return;
   team_.each([&](int worker) {
-    const Part mine = part_of(block_.mesh().columns() + 1, worker, team_.workers());
-    for (int i = mine.begin; i < mine.end; ++i)
+    for (int i = near_parts_[worker]; i < end_of_nodes(near_parts_, worker); ++i)
       for (const Rows& run : near.nodes(i))
         kernel_.kick_and_drift(block_.view(), block_.near_forces(), i, run, held(i), kick, drift);
   });

@@ -54,11 +54,16 @@ class Sweep {
   struct Seam {
     std::vector<Real> r, z;
   };
+  // Which columns fall to which worker: those from parts[worker] to parts[worker + 1].
+  using Parts = std::vector<int>;
+  // As even as may be, by what each column cost at its last sweep.
+  Parts parts_by(const std::vector<ColumnReport>& reports, const std::vector<ColumnReport>* more) const;
+  int end_of_nodes(const Parts& parts, int worker) const;
   void far_column(int column, bool first, Seam* seam, const NearCells& near, int rows, double last_step);
   void near_column(int column, bool first, Seam* seam, const NearCells& near, double last_step);
   void take(const ColumnForces<Real>& forces, int column, Rows rows, double last_step, ColumnReport& report);
   ColumnForces<Real> targets(const NodeForces<Real>& forces, int column, bool first, Seam* seam) const;
-  void merge(const NodeForces<Real>& forces, std::vector<Seam>& seams, int rows);
+  void merge(const NodeForces<Real>& forces, std::vector<Seam>& seams, const Parts& parts, int rows);
   void take_in(const ColumnReport& report, double& inverse_step, SweepReport& sum) const;
   bool held(int column) const { return holds_axis_ && column == 0; }
 
@@ -72,6 +77,7 @@ class Sweep {
   Team team_;
   std::vector<Seam> far_seams_, near_seams_;  // of threads 1, 2, ...
   std::vector<ColumnReport> far_reports_, near_reports_;
+  Parts all_parts_, near_parts_;  // of the block, of its near cells
   Seam cell_inner_, cell_outer_, changed_inner_, changed_outer_, changed_before_;  // of settle()
   double watched_ = 1e30;
   std::vector<unsigned char> stiff_;  // of cells, column after column

@@ -8,6 +8,32 @@
 #include "percal/base/threads.hpp"
 
 namespace percal {
+namespace {
+
+// To fall asleep and be woken up takes longer than a sweep. So a worker first looks for about 50 microseconds, then a millisecond or two
+// in which it lets others have the processor.
+constexpr int looks = 1000, yields = 2000;
+
+void breathe() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+// Returns when `number` is not `value` any more.
+template <class T>
+void wait_while(const std::atomic<T>& number, T value) {
+  for (int look = 0; look < looks + yields; ++look) {
+    if (number.load(std::memory_order_acquire) != value) return;
+    if (look < looks)
+      breathe();
+    else
+      std::this_thread::yield();
+  }
+  number.wait(value);
+}
+
+}  // namespace
 
 Team::Team(int workers) : threads_(threads_to_be_had(workers - 1, [this](int worker) { serve(worker); })) {}
 
@@ -38,7 +64,7 @@ void Team::each(const std::function<void(int)>& work) {
     call_.notify_all();
   }
   take_part(0);
-  for (int left = busy_; left > 0; left = busy_) busy_.wait(left);
+  for (int left = busy_; left > 0; left = busy_) wait_while(busy_, left);
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
@@ -53,7 +79,7 @@ void Team::take_part(int worker) {
 
 void Team::serve(int worker) {
   for (long seen = 0;;) {
-    call_.wait(seen);
+    wait_while(call_, seen);
     ++seen;
     if (over_) return;
     take_part(worker);

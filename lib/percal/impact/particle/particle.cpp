@@ -67,10 +67,10 @@ void PolygonRun::foresee(double time) {
 
 void PolygonRun::drift(double time) { move(here_, time); }
 
-double PolygonRun::meet(std::vector<Touch>& touches, ContactColumns columns) {
+RigidBody PolygonRun::body() const {
   BodyMotion free{.down = 1 / mass_};
   if (profile_.free_rotation) free = {1 / mass_, 1 / mass_, 1 / inertia_};
-  return RigidBody{free, ahead_.x, ahead_.z, whole_}.part(touches, columns, motion_);
+  return {free, ahead_.x, ahead_.z, whole_};
 }
 
 // Across the nearest side; where two are as near, along the mean of their normals, so that a tip pushes straight ahead.

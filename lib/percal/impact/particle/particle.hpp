@@ -2,6 +2,7 @@
 //   foresee(time)          where it would be so much later
 //   find(...), overlap     the nodes of one column that would then be inside it; how deep, and the way out
 //   meet(touches, ...)     their impulses, its own velocities after them, and the kinetic energy lost
+//   rub(touches, ...)      rigid ones: their impulses along the surface, its own velocities after them, and the energy that takes
 //   drift(time)            position by the velocity
 //   tip, top               its lowest and highest point, downwards positive
 //   speed                  downwards, of the centre of mass
@@ -56,7 +57,13 @@ class SphereRun : public NeverDeforms {
   }
   double meet(std::vector<Touch>& touches, ContactColumns columns) {
     BodyMotion motion{.down = speed_};
-    const double lost = RigidBody{{.down = 1 / mass_}, 0, ahead_, whole_}.part(touches, columns, motion);
+    const double lost = body().part(touches, columns, motion);
+    speed_ = motion.down;
+    return lost;
+  }
+  double rub(std::vector<Touch>& touches, ContactColumns columns, double coefficient) {
+    BodyMotion motion{.down = speed_};
+    const double lost = body().rub(touches, columns, coefficient, motion);
     speed_ = motion.down;
     return lost;
   }
@@ -78,6 +85,7 @@ class SphereRun : public NeverDeforms {
 
  private:
   double centre() const { return tip_ - 1; }
+  RigidBody body() const { return {{.down = 1 / mass_}, 0, ahead_, whole_}; }
   double mass_, speed_, tip_ = 0, ahead_ = 0;
   bool whole_;
 };
@@ -94,7 +102,10 @@ class PolygonRun : public NeverDeforms {
     return kernel.nodes_in_polygon(block.view(), nodes, ahead_.sides.data(), static_cast<int>(ahead_.sides.size()),
                                    ahead_.x, ahead_.z, found);
   }
-  double meet(std::vector<Touch>& touches, ContactColumns columns);
+  double meet(std::vector<Touch>& touches, ContactColumns columns) { return body().part(touches, columns, motion_); }
+  double rub(std::vector<Touch>& touches, ContactColumns columns, double coefficient) {
+    return body().rub(touches, columns, coefficient, motion_);
+  }
   void drift(double time);
 
   double tip() const { return here_.z + here_.lowest; }
@@ -119,6 +130,7 @@ class PolygonRun : public NeverDeforms {
     double lowest = 0, highest = 0;  // of the vertices, from the centre of mass
     std::vector<PolygonSide> sides;
   };
+  RigidBody body() const;
   void move(Place& place, double time) const;
   void turn_sides(Place& place) const;
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace percal {
 namespace {
@@ -10,8 +11,12 @@ namespace {
 using Vector = Eigen::Vector3d;  // down, right, spin
 
 // What a touch's rate gains from each velocity of the body.
-Vector lever_of(const Touch& touch, const RigidBody& body) {
-  return {touch.away_z, touch.away_x, touch.away_x * (touch.z - body.z) - touch.away_z * (touch.x - body.x)};
+Vector lever(const Touch& touch, double x, double z, const RigidBody& body) {
+  return {z, x, x * (touch.z - body.z) - z * (touch.x - body.x)};
+}
+Vector lever_of(const Touch& touch, const RigidBody& body) { return lever(touch, touch.away_x, touch.away_z, body); }
+Vector sliding_lever_of(const Touch& touch, const RigidBody& body) {
+  return lever(touch, touch.along_x, touch.along_z, body);
 }
 
 // How hard it is to part a node from a body that does not move.
@@ -69,6 +74,58 @@ double RigidBody::part(std::vector<Touch>& touches, ContactColumns among, BodyMo
     lost -= touch.impulse * (touch.mean_velocity() - J.dot(middle));
   }
   motion = {motion.down + q[0], motion.right + q[1], motion.spin + q[2]};
+  return lost;
+}
+
+// With L_k the levers along the surface and s_k the velocity of the body's surface over the node's: q = -W sum_k L_k j_k, j_k = m_k
+// (s_k + L_k . q) where that is no more than the bound, else the bound with its sign. Who sticks is found as who pushes is in part().
+double RigidBody::rub(std::vector<Touch>& touches, ContactColumns among, double coefficient, BodyMotion& motion) const {
+  const Vector W{inverse_mass.down, inverse_mass.right, inverse_mass.spin}, V{motion.down, motion.right, motion.spin};
+  const auto sliding = [&](const Touch& touch, const Vector& q) {
+    return sliding_lever_of(touch, *this).dot(V + q) - touch.along_now;
+  };
+  const auto braked = [&](const Touch& touch, const Vector& q) {
+    const double bound = coefficient * touch.impulse;
+    return std::clamp(touch.mass * sliding(touch, q), -bound, bound);
+  };
+  const auto sticks = [&](const Touch& touch, const Vector& q) {
+    return std::abs(touch.mass * sliding(touch, q)) <= coefficient * touch.impulse;
+  };
+  std::vector<char> stuck(touches.size(), 1);
+  std::vector<Column> columns;
+  Vector q = Vector::Zero();
+  bool changed = !touches.empty();
+  for (int round = 0; round < most_rounds && changed; ++round) {
+    columns.assign(among.end - among.begin, {});
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+      const Touch& touch = touches[k];
+      if (touch.impulse == 0 || (touch.along_x == 0 && touch.along_z == 0)) continue;
+      const Vector L = sliding_lever_of(touch, *this);
+      Column& column = columns[touch.column - among.begin];
+      if (stuck[k]) column.per_velocity += touch.mass * L * L.transpose();
+      column.at_rest += (stuck[k] ? touch.mass * sliding(touch, Vector::Zero()) : braked(touch, q)) * L;
+    }
+    const Column sum = sum_of_columns(columns, whole);
+    q = -(Eigen::Matrix3d::Identity() + W.asDiagonal() * sum.per_velocity).inverse() * (W.asDiagonal() * sum.at_rest);
+    changed = false;
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+      const bool still = sticks(touches[k], q);
+      changed |= still != static_cast<bool>(stuck[k]);
+      stuck[k] = static_cast<char>(still);
+    }
+  }
+  // What the nodes get, and just as much from the body.
+  columns.assign(among.end - among.begin, {});
+  for (Touch& touch : touches) {
+    const bool slides = touch.impulse != 0 && (touch.along_x != 0 || touch.along_z != 0);
+    touch.rub = slides ? braked(touch, q) : 0;
+    columns[touch.column - among.begin].at_rest += touch.rub * sliding_lever_of(touch, *this);
+  }
+  const Vector change = -(W.asDiagonal() * sum_of_columns(columns, whole).at_rest), middle = V + 0.5 * change;
+  double lost = 0;
+  for (const Touch& touch : touches)
+    lost -= touch.rub * (touch.mean_sliding() - sliding_lever_of(touch, *this).dot(middle));
+  motion = {V[0] + change[0], V[1] + change[1], V[2] + change[2]};
   return lost;
 }
 

@@ -22,9 +22,15 @@ struct Touch {
   double now = 0;      // the same after them
   double impulse = 0;  // along `away`, not negative
 
+  // Friction's. Of length 1, across `away`; 0 where the node cannot slide, on the axis, and where there is no friction.
+  double along_x = 0, along_z = 0;
+  double along_before = 0, along_now = 0;  // as before and now, along `along`
+  double rub = 0;                          // impulse along it, of either sign
+
   double steepness() const { return away_x * away_x + away_z * away_z; }
   // Its own velocity along `away` in the middle of the step, once it has its impulse.
   double mean_velocity() const { return 0.5 * (before + now + steepness() * impulse / mass); }
+  double mean_sliding() const { return 0.5 * (along_before + along_now + rub / mass); }
 };
 
 // Columns of nodes that are looked at for contact.
@@ -46,6 +52,10 @@ struct RigidBody {
   // Finds the impulses that part every touch at its rate or faster while they slow the body down. Changes `motion`
   // accordingly and returns the kinetic energy that body and nodes lose. Touches are in the order of their columns.
   double part(std::vector<Touch>& touches, ContactColumns columns, BodyMotion& motion) const;
+
+  // Behind part(): the impulses along the surface that stop each touch from sliding, or brake it with `coefficient` times its
+  // impulse across where that is less. Changes `motion` accordingly and returns the kinetic energy that body and nodes lose.
+  double rub(std::vector<Touch>& touches, ContactColumns columns, double coefficient, BodyMotion& motion) const;
 };
 
 // Sums columns from the outermost inwards; those of a whole mesh in pairs, left and right, so that the mirrored scene
@@ -70,7 +80,8 @@ template <class Real>
 void push_nodes(const FieldsView<Real>& fields, const std::vector<Touch>& touches, double drift) {
   for (const Touch& touch : touches) {
     if (touch.impulse == 0) continue;
-    const double x = touch.impulse / touch.mass * touch.away_x, z = touch.impulse / touch.mass * touch.away_z;
+    const double x = touch.impulse / touch.mass * touch.away_x + touch.rub / touch.mass * touch.along_x;
+    const double z = touch.impulse / touch.mass * touch.away_z + touch.rub / touch.mass * touch.along_z;
     fields.v_r[touch.node] += static_cast<Real>(x);
     fields.v_z[touch.node] += static_cast<Real>(z);
     fields.u_r[touch.node] += static_cast<Real>(x * drift);

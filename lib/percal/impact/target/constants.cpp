@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "percal/impact/settings.hpp"
+#include "percal/impact/target/initial_stretch.hpp"
 #include "percal/problem/domain.hpp"
 
 namespace percal {
@@ -25,6 +26,10 @@ bool is_supersonic(const Problem& p) { return mach_number(p) * p.speed_factor >=
 struct Layer {
   double mu, bulk, alpha, density;
   double erosion_limit;  // as the scene means it
+  FurtherErosion further_erosion = {};
+  double stretch;  // of its plane, before the impact
+  Fibres fibres;
+  bool erodes() const { return erosion_limit < infinite || !further_erosion.is_empty(); }
   double wave_speed() const { return std::sqrt((bulk + 4.0 / 3 * mu) / density); }
 };
 
@@ -37,11 +42,14 @@ struct LimitOf {
 };
 
 std::vector<Layer> layers_of(const Problem& p) {
-  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion)}};
+  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion,
+                             p.stretch, p.fibres}};
   const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
   for (const LowerLayer& below : p.below)
     layers.push_back(
-        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite});
+        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite,
+         erodes ? below.further_erosion : FurtherErosion{}, below.stretch,
+         below.fibres});
   return layers;
 }
 
@@ -52,6 +60,13 @@ PressureLaw pressure_law_of(VolumetricLaw law) {
     case VolumetricLaw::log_quadratic: break;
   }
   return PressureLaw::log_quadratic;
+}
+
+double lasting_share_of(const Relaxation& relaxation) {
+  double share = 1;
+  if (const auto* series = std::get_if<PronySeries>(&relaxation))
+    for (const PronyTerm& term : series->terms) share -= term.share;
+  return share;
 }
 
 // The energy density that a layer has in uniaxial tension at this stretch, volume kept: impact.md (24).
@@ -71,14 +86,21 @@ void set_erosion_limit(MaterialConstants& c, const Layer& layer, const Problem& 
       break;
     case ErosionKind::stress:
     case ErosionKind::energy: c.erosion_limit = layer.erosion_limit; break;
+    case ErosionKind::several:
+      c.erosion_stretch = stretch;
+      c.stress_limit = layer.further_erosion.stress.value_or(infinite);
+      c.energy_limit = layer.further_erosion.energy.value_or(infinite);
+      if (std::holds_alternative<StressErosion>(p.erosion)) c.stress_limit = layer.erosion_limit;
+      break;
   }
 }
 
 }  // namespace
 
 ErosionKind erosion_kind_of(const Problem& p) {
-  if (std::holds_alternative<StressErosion>(p.erosion)) return ErosionKind::stress;
   if (std::holds_alternative<NoErosion>(p.erosion)) return ErosionKind::stretch;
+  if (!p.further_erosion.is_empty()) return ErosionKind::several;
+  if (std::holds_alternative<StressErosion>(p.erosion)) return ErosionKind::stress;
   if (std::holds_alternative<AverageWithin>(p.erosion_average)) return ErosionKind::averaged_energy;
   return std::holds_alternative<EnergyErosion>(p.erosion) ? ErosionKind::energy : ErosionKind::stretch;
 }
@@ -107,7 +129,11 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
                         .density = layer.density,
                         .erosion_limit = infinite};
     set_erosion_limit(c, layer, p);
-    if (layer.erosion_limit < infinite) {
+    if (const auto* fibres = std::get_if<PlanarFibres>(&layer.fibres)) c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
+    c.initial = initial_stretch(
+        layer.stretch, p.geometry,
+        {{layer.mu * lasting_share_of(p.relaxation), layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
+    if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
           1 / (distorted_step * undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
@@ -134,8 +160,16 @@ TargetSolid::TargetSolid(const Problem& problem, const std::vector<LayerRows>& r
 
 bool TargetSolid::is_plain() const {
   return layers.size() == 1 && pressure_law == PressureLaw::log_quadratic &&
-         hourglass_kind == HourglassKind::stiffness && relaxation.empty() &&
+         hourglass_kind == HourglassKind::stiffness && relaxation.empty() && !is_stretched() && !has_fibres() &&
          (erosion_kind == ErosionKind::stretch || erosion_kind == ErosionKind::averaged_energy);
+}
+
+bool TargetSolid::has_fibres() const {
+  return std::ranges::any_of(layers, [](const SolidLayer& layer) { return !layer.material.fibres.is_none(); });
+}
+
+bool TargetSolid::is_stretched() const {
+  return std::ranges::any_of(layers, [](const SolidLayer& layer) { return !layer.material.initial.is_none(); });
 }
 
 const MaterialConstants& TargetSolid::of_row(int row) const {
@@ -146,6 +180,8 @@ const MaterialConstants& TargetSolid::of_row(int row) const {
 
 bool TargetSolid::erodes(int row) const {
   const MaterialConstants& material = of_row(row);
+  if (erosion_kind == ErosionKind::several)
+    return std::min({material.erosion_stretch, material.stress_limit, material.energy_limit}) < no_erosion;
   return (erosion_kind == ErosionKind::stretch ? material.erosion_stretch : material.erosion_limit) < no_erosion;
 }
 
@@ -163,7 +199,9 @@ GeneralSolidView<Real> TargetSolid::view(Block<Real>& block) const {
                               .hourglass_kind = hourglass_kind,
                               .erosion_kind = erosion_kind,
                               .hourglass = block.hourglass_velocity(),
-                              .relaxation = block.relaxation()};
+                              .relaxation = block.relaxation(),
+                              .is_stretched = is_stretched(),
+                              .has_fibres = has_fibres()};
   view.relaxation.terms = static_cast<int>(relaxation.size());
   for (std::size_t k = 0; k < relaxation.size(); ++k) view.relaxation.term[k] = relaxation[k];
   return view;

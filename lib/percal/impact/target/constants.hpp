@@ -26,6 +26,8 @@ struct TargetSolid {
 
   // Whether a kernel will do that knows no more than the plain solid: Kernel::internal_forces, internal_forces_averaged.
   bool is_plain() const;
+  bool has_fibres() const;    // some layer
+  bool is_stretched() const;  // some layer, before the impact
   const MaterialConstants& of_row(int row) const;
   bool erodes(int row) const;
   double lasting_share() const;  // of mu, when all has relaxed

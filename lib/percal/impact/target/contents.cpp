@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "percal/impact/kernel/relaxing_stress.hpp"
-#include "percal/impact/kernel/uniform_solid.hpp"
+#include "percal/impact/kernel/general_solid.hpp"
+#include "percal/impact/target/initial_stretch.hpp"
 
 namespace percal {
 namespace {
@@ -20,10 +20,16 @@ std::array<long, 4> corners_of(const Block<Real>& block, int column, int row) {
   return {block.at(column, row), block.at(column + 1, row), block.at(column + 1, row + 1), block.at(column, row + 1)};
 }
 
-// Of the solid when all that can relax has relaxed.
-scalar::ElasticConstants lasting_constants(const TargetSolid& solid, int row) {
+ElasticSolid instantaneous_solid(const TargetSolid& solid, int row) {
   const MaterialConstants& material = solid.of_row(row);
-  return {material.mu * solid.lasting_share(), material.bulk, material.alpha, solid.pressure_law};
+  return {{material.mu, material.bulk, material.alpha, solid.pressure_law}, material.fibres};
+}
+
+// When all that can relax has relaxed.
+ElasticSolid lasting_solid(const TargetSolid& solid, int row) {
+  ElasticSolid lasting = instantaneous_solid(solid, row);
+  lasting.matrix.mu *= solid.lasting_share();
+  return lasting;
 }
 
 // What has not relaxed yet: overstress of the Prony series on top of the share that lasts, docs/theory/target.md (6).
@@ -37,18 +43,43 @@ scalar::Piola<double> unrelaxed(const Block<Real>& block, long element, const sc
   return scalar::pushed(F, overstress);
 }
 
+// Over the unstretched solid.
+template <class Real>
+scalar::Gradient<double> whole_gradient(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const InitialStretch& initial = solid.of_row(row).initial;
+  const auto F = element_gradient(block, column, row);
+  return {F.rr * initial.r, F.rz * initial.z, F.zr * initial.r, F.zz * initial.z, F.hoop * initial.hoop};
+}
+
 template <class Real>
 CellState state_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
-  const scalar::ElasticConstants lasting = lasting_constants(solid, row);
-  const auto F = element_gradient(block, column, row);
-  const auto s = scalar::stretches(F);
-  const auto g = scalar::isochoric_powers(F, s, lasting.alpha);
-  auto P = scalar::elastic_piola(lasting, F, s, g);
+  const ElasticSolid lasting = lasting_solid(solid, row);
+  const auto F = whole_gradient(block, solid, column, row);
+  auto P = lasting.first_piola(F);
   const auto more = unrelaxed(block, block.at(column, row), F);
   P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
-  CellState state = cell_state(F, P, scalar::strain_energy(lasting, s, g));
+  CellState state = cell_state(F, P, lasting.energy_density(F));
   state.stress[3] = 0 - state.stress[3];  // z is downwards, y upwards
   return state;
+}
+
+// What erosion can be judged by.
+struct Measures {
+  double squared_stretch, tension, energy;  // the energy as if nothing had relaxed
+  // (lambda^2 - 1), tension and energy over their limits.
+  std::array<double, 3> over(const MaterialConstants& limits) const {
+    const scalar::SharesOfLimits per = scalar::per_limits(limits);
+    return {(squared_stretch - 1) * per.stretch, tension * per.stress, energy * per.energy};
+  }
+};
+
+template <class Real>
+Measures measures_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const CellState state = state_of(block, solid, column, row);
+  const auto& [rr, zz, hoop, rz] = state.stress;
+  return {state.stretches[0] * state.stretches[0],
+          std::max(0.5 * (rr + zz) + std::hypot(0.5 * (rr - zz), rz), hoop),
+          instantaneous_solid(solid, row).energy_density(whole_gradient(block, solid, column, row))};
 }
 
 }  // namespace
@@ -74,39 +105,64 @@ scalar::Gradient<double> element_gradient(const Block<Real>& block, int column, 
 template <class Real>
 ElementEnergy element_energy(const Block<Real>& block, const TargetSolid& solid, int column, int row,
                              double last_step) {
-  const scalar::ElasticConstants lasting = lasting_constants(solid, row);
+  const ElasticSolid lasting = lasting_solid(solid, row);
   const auto& view = block.view();
   const auto& shape = block.shapes()[column];
   const auto corner = corners_of(block, column, row);
   const double width = shape.width, height = shape.height, thickness = shape.thickness, per_radius = shape.per_radius,
                volume = thickness * width * height;
 
-  const auto F = element_gradient(block, column, row);
+  const InitialStretch& initial = solid.of_row(row).initial;
+  const double unstretched_volume = volume / initial.jacobian();
+  const auto F = whole_gradient(block, solid, column, row);
   double mode_r = 0, mode_z = 0;
   for (int a = 0; a < 4; ++a) {
     mode_r += hourglass_mode[a] * view.u_r[corner[a]];
     mode_z += hourglass_mode[a] * view.u_z[corner[a]];
   }
-  const auto s = scalar::stretches(F);
-  const auto g = scalar::isochoric_powers(F, s, lasting.alpha);
   const double stiffness =
       solid.hourglass_kind == HourglassKind::stiffness ? scalar::hourglass_stiffness(solid.of_row(row), shape) : 0;
   ElementEnergy energy;
-  energy.elastic = volume * scalar::strain_energy(lasting, s, g);
+  energy.elastic = unstretched_volume * lasting.energy_density(F);
+  if (!initial.is_none()) energy.elastic -= unstretched_volume * lasting.energy_density(gradient_of(initial));
   energy.hourglass = 0.5 * stiffness * (mode_r * mode_r + mode_z * mode_z);
   if (last_step > 0) {
-    const auto P = scalar::elastic_piola(lasting, F, s, g);
+    const auto P = lasting.first_piola(F);
     double power = 0;
     for (int a = 0; a < 4; ++a) {
-      const double nr = along_r[a] / width, nz = along_z[a] / height;
+      const double nr = initial.r * along_r[a] / width, nz = initial.z * along_z[a] / height,
+                   nh = initial.hoop * per_radius / 4;
       const double fr =
-          -volume * (P.rr * nr + P.rz * nz + P.hoop * per_radius / 4) - stiffness * hourglass_mode[a] * mode_r;
-      const double fz = -volume * (P.zr * nr + P.zz * nz) - stiffness * hourglass_mode[a] * mode_z;
+          -unstretched_volume * (P.rr * nr + P.rz * nz + P.hoop * nh) - stiffness * hourglass_mode[a] * mode_r;
+      const double fz = -unstretched_volume * (P.zr * nr + P.zz * nz) - stiffness * hourglass_mode[a] * mode_z;
       power += fr * view.v_r[corner[a]] + fz * view.v_z[corner[a]];
     }
     energy.last_work = 0.5 * last_step * power;
   }
   return energy;
+}
+
+template <class Real>
+double erosion_measure(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const Measures measures = measures_of(block, solid, column, row);
+  switch (solid.erosion_kind) {
+    case ErosionKind::stretch: return measures.squared_stretch;
+    case ErosionKind::stress: return measures.tension;
+    case ErosionKind::several: {
+      const auto [strain, stress, energy] = measures.over(solid.of_row(row));
+      return std::max({strain, stress, energy});
+    }
+    case ErosionKind::energy:
+    case ErosionKind::averaged_energy: break;
+  }
+  return measures.energy;
+}
+
+template <class Real>
+Criterion leading_criterion(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
+  const auto [strain, stress, energy] = measures_of(block, solid, column, row).over(solid.of_row(row));
+  if (strain >= std::max(stress, energy)) return Criterion::strain;
+  return stress >= energy ? Criterion::stress : Criterion::energy;
 }
 
 template <class Real>
@@ -167,7 +223,7 @@ TargetPiece target_piece(const Block<Real>& block, const TargetSolid& solid) {
       int layer = 0;
       while (j >= block.layers()[layer].end) ++layer;
       piece.layer.push_back(layer);
-      piece.volume.push_back(shape.thickness * shape.width * shape.height);
+      piece.volume.push_back(shape.thickness * shape.width * shape.height / solid.of_row(j).initial.jacobian());
     }
   }
   return piece;
@@ -177,6 +233,10 @@ template scalar::Gradient<double> element_gradient(const Block<float>&, int, int
 template scalar::Gradient<double> element_gradient(const Block<double>&, int, int);
 template ElementEnergy element_energy(const Block<float>&, const TargetSolid&, int, int, double);
 template ElementEnergy element_energy(const Block<double>&, const TargetSolid&, int, int, double);
+template double erosion_measure(const Block<float>&, const TargetSolid&, int, int);
+template double erosion_measure(const Block<double>&, const TargetSolid&, int, int);
+template Criterion leading_criterion(const Block<float>&, const TargetSolid&, int, int);
+template Criterion leading_criterion(const Block<double>&, const TargetSolid&, int, int);
 template EnergyLedger stored_energy(const Block<float>&, const TargetSolid&, int);
 template EnergyLedger stored_energy(const Block<double>&, const TargetSolid&, int);
 template TargetPiece target_piece(const Block<float>&, const TargetSolid&);

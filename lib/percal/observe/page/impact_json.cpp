@@ -50,6 +50,18 @@ Json accuracy_to_json(const AdvisedAccuracy& advised) {
           {"study_cpu_s", advised.study_cpu_seconds}};
 }
 
+// How many elements each criterion took out, and how many went because they were distorted. Null where nothing erodes.
+Json eroded_by_to_json(const Problem& problem, const ImpactResult& r) {
+  static constexpr const char* names[] = {nullptr, "strain", "stress", "energy"};  // by the alternatives of Erosion
+  if (std::holds_alternative<NoErosion>(problem.erosion)) return nullptr;
+  Json by{{names[problem.erosion.index()], r.eroded - r.distorted}, {"distortion", r.distorted}};
+  if (problem.further_erosion.is_empty()) return by;
+  if (std::holds_alternative<StrainErosion>(problem.erosion)) by["strain"] = r.eroded_by.strain;
+  if (std::holds_alternative<StressErosion>(problem.erosion) || problem.further_erosion.stress) by["stress"] = r.eroded_by.stress;
+  if (problem.further_erosion.energy) by["energy"] = r.eroded_by.energy;
+  return by;
+}
+
 Json run_to_json(const Evaluation& run, const Problem& replicate, const Scales& scales, double depth) {
   const ImpactResult& r = run.result;
   return {{"elements_per_radius", replicate.elements_per_radius},
@@ -62,6 +74,7 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, const Scales& 
           {"steps", r.steps},
           {"elements", r.elements},
           {"eroded", r.eroded},
+          {"eroded_by", eroded_by_to_json(replicate, r)},
           {"smallest_jacobian", finite(r.smallest_jacobian)},
           {"smallest_step_over_first", finite(r.smallest_step)},
           {"turn_rad", finite(r.turn)},

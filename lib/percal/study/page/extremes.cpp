@@ -27,6 +27,13 @@ std::string erosion_words(const Erosion& erosion) {
   return "none";
 }
 
+std::string further_words(const FurtherErosion& further) {
+  std::string words;
+  if (further.stress) words += fmt::format(" or stress {:.6g} rho v2", *further.stress);
+  if (further.energy) words += fmt::format(" or energy {:.6g} rho v2", *further.energy);
+  return words;
+}
+
 std::string particle_word(const Particle& particle) {
   return std::holds_alternative<RigidSphere>(particle)    ? "rigid sphere"
          : std::holds_alternative<RigidPolygon>(particle) ? "rigid profile"
@@ -40,7 +47,7 @@ Json problem_to_json(const Problem& p) {
           {"density_ratio", p.density_ratio},
           {"alpha", p.alpha},
           {"bulk_to_shear", p.bulk_ratio},
-          {"erosion", erosion_words(p.erosion)},
+          {"erosion", erosion_words(p.erosion) + further_words(p.further_erosion)},
           {"layers", 1 + p.below.size()},
           {"depth_over_radius", p.whole_depth()},
           {"elements_per_radius", p.elements_per_radius},

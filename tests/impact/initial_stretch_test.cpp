@@ -1,0 +1,198 @@
+// Targets that are stretched in their plane before the impact.
+#include "percal/impact/target/initial_stretch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "impact/element_reference.hpp"
+#include "impact/same_bits.hpp"
+#include "impact/setting_s.hpp"
+#include "impact/specimen.hpp"
+#include "percal/impact/march/march.hpp"
+
+namespace percal {
+namespace {
+
+Problem stretched_specimen(double stretch, Geometry geometry) {
+  Problem p = specimen_problem();
+  p.geometry = geometry;
+  p.stretch = stretch;
+  return p;
+}
+
+// Kirchhoff stresses, by the formula.
+struct Stress {
+  double r, z;
+};
+Stress stress_of(const Problem& p, const InitialStretch& l) {
+  const double J = l.jacobian(), volumetric = p.bulk() / 2 * (J * J - 1);
+  return {isochoric_stress_of(p.mu(), p.alpha, l.r, l.z, l.hoop) + volumetric,
+          isochoric_stress_of(p.mu(), p.alpha, l.z, l.r, l.hoop) + volumetric};
+}
+
+InitialStretch initial_of(const Problem& p) { return constants_of_layers(p).front().initial; }
+
+TEST(InitialStretch, LeavesTheFaceFreeOfStressToRoundOff) {
+  for (const auto geometry : {Geometry::axisymmetric, Geometry::plane_strain})
+    for (const double stretch : {0.8, 1.02, 1.1, 1.5}) {
+      const Problem p = stretched_specimen(stretch, geometry);
+      const InitialStretch l = initial_of(p);
+      EXPECT_EQ(l.r, stretch);
+      EXPECT_EQ(l.hoop, geometry == Geometry::plane_strain ? 1 : stretch);
+      EXPECT_NEAR(stress_of(p, l).z, 0, 1e-11 * p.bulk());  // of 1e-12 that keeps equal stretches apart
+      EXPECT_EQ(stress_of(p, l).r > 0, stretch > 1);
+    }
+  EXPECT_TRUE(initial_of(stretched_specimen(1, Geometry::axisymmetric)).is_none());
+}
+
+template <class Real>
+double largest_free_force(Specimen<Real>& specimen) {
+  specimen.look(0);
+  const auto& block = specimen.block;
+  double largest = 0;
+  for (int i = 0; i < block.mesh().columns(); ++i)  // the wall holds its nodes
+    for (int j = 0; j <= block.mesh().rows; ++j) {
+      const long n = block.at(i, j);
+      if (i > 0) largest = std::max(largest, std::abs(static_cast<double>(block.far_forces().r[n])));
+      largest = std::max(largest, std::abs(static_cast<double>(block.far_forces().z[n])));
+    }
+  return largest;
+}
+
+TEST(InitialStretch, LayersOfDifferentStretchAreInEquilibriumToRoundOff) {
+  for (const auto geometry : {Geometry::axisymmetric, Geometry::plane_strain}) {
+    Problem p = stretched_specimen(1.15, geometry);
+    p.depth = 5;
+    p.below = {{.depth = 4, .density = 1.2, .mu = 0.7, .alpha = 3, .stretch = 1.4}, {.depth = 3, .mu = 1, .alpha = -2}};
+    Specimen<double> exact(p);
+    EXPECT_LT(largest_free_force(exact), 1e-12 * p.bulk());
+    Specimen<float> single(p);
+    EXPECT_LT(largest_free_force(single), 3e-6 * p.bulk());
+  }
+}
+
+TEST(InitialStretch, TheWallBearsTheTensionOfTheLayer) {
+  const Problem p = stretched_specimen(1.2, Geometry::plane_strain);
+  Specimen<> specimen(p);
+  specimen.look(0);
+  const InitialStretch l = initial_of(p);
+  EXPECT_NEAR(specimen.stress_r(), stress_of(p, l).r / l.jacobian(), 1e-11) << "Cauchy stress";
+}
+
+// The same element by the plain kernel, with the sides that it had and all of its way as displacement.
+TEST(InitialStretch, AnElementGivesTheForcesOfTheUnstretchedOneThatHasComeToTheSamePlace) {
+  for (const auto geometry : {Geometry::axisymmetric, Geometry::plane_strain}) {
+    Problem p = stretched_specimen(1.25, geometry);
+    p.hourglass = 0;
+    Specimen<> stretched(p);
+    displace_at_random(stretched.block, 0.05);
+    const ColumnReport report = stretched.look(0);
+    const InitialStretch l = initial_of(p);
+
+    p.stretch = 1;
+    Specimen<> plain(p);
+    auto& block = plain.block;
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 0; j <= block.mesh().rows; ++j) {
+        const long n = block.at(i, j);
+        block.view().u_r[n] = stretched.block.view().u_r[n] + block.mesh().radius[i] * (1 - 1 / l.r);
+        block.view().u_z[n] = stretched.block.view().u_z[n] + j * block.mesh().row_height * (1 - 1 / l.z);
+      }
+    const bool plane = geometry == Geometry::plane_strain;
+    const auto& lanes = kernel<double>().lanes;
+    std::vector<unsigned char> flags(1000);
+    double largest_inverse_step = 0;
+    for (int i = 0; i < block.mesh().columns(); ++i) {
+      ColumnShape shape = block.shapes()[i];
+      shape = {shape.width / l.r, shape.height / l.z, plane ? 1 : shape.thickness / l.hoop, shape.per_radius * l.hoop,
+               shape.at_axis};
+      const auto& forces = block.far_forces();
+      ColumnReport one;
+      kernel<double>().internal_forces(
+          block.view(),
+          {forces.r + block.at(i, 0), forces.z + block.at(i, 0), forces.r + block.at(i + 1, 0),
+           forces.z + block.at(i + 1, 0), i == 0},
+          i, {0, (block.mesh().rows + lanes - 1) / lanes * lanes}, shape, plain.solid.layers.front().material, 0,
+          {1e30, flags.data()}, one);
+      largest_inverse_step = std::max(largest_inverse_step, one.largest_inverse_step);
+    }
+    for (int i = 0; i <= block.mesh().columns(); ++i)
+      for (int j = 0; j <= block.mesh().rows; ++j) {
+        const long n = block.at(i, j);
+        ASSERT_NEAR(stretched.block.far_forces().r[n], block.far_forces().r[n], 1e-11 * p.bulk()) << i << " " << j;
+        ASSERT_NEAR(stretched.block.far_forces().z[n], block.far_forces().z[n], 1e-11 * p.bulk()) << i << " " << j;
+      }
+    EXPECT_NEAR(report.largest_inverse_step * std::sqrt(l.jacobian()), largest_inverse_step, 1e-11 * largest_inverse_step)
+        << "the density is that of the solid as it stands";
+  }
+}
+
+TEST(InitialStretch, TheEnergyBeforeTheImpactIsTheZeroAndTheLedgerCloses) {
+  Problem p = dent();
+  p.stretch = 1.1;
+  const auto closure = [&](double factor) {
+    p.time_step_factor = factor;
+    return std::abs(run_impact(p, 1).energy.closure());
+  };
+  const double coarse = closure(0.8), fine = closure(0.2);
+  EXPECT_LT(coarse, 1e-4);
+  EXPECT_GT(std::log(coarse / fine) / std::log(4), 1.5);
+}
+
+TEST(InitialStretch, AnErodingShotClosesWithLayersRelaxationAndViscousHourglass) {
+  Problem p = setting_s();
+  p.stretch = 1.1;
+  p.depth = 3;
+  p.below = {{.depth = 40, .density = 1.1, .mu = 0.5 * p.mu(), .alpha = 6, .bulk_ratio = 60, .erosion_limit = 0.6, .stretch = 1.2}};
+  p.end_time = 8;
+  const ImpactResult elastic = run_impact(p, 1);
+  EXPECT_LT(std::abs(elastic.energy.closure()), 3e-3);
+  EXPECT_GT(elastic.eroded, 50);
+  p.relaxation = PronySeries{{{0.3, 2}}};
+  p.hourglass_form = HourglassForm::viscosity;
+  p.hourglass = 0.1;
+  EXPECT_LT(std::abs(run_impact(p, 1).energy.closure()), 5e-3);
+}
+
+// The whole strain counts.
+TEST(InitialStretch, AnElementGoesWhenWhatItWasStretchedByAndWhatIsAddedReachTheLimit) {
+  Problem p = stretched_specimen(1.2, Geometry::plane_strain);
+  p.erosion = StrainErosion{0.5};
+  for (const double added : {1.24, 1.26}) {
+    Specimen<> specimen(p);
+    EXPECT_TRUE(take_initial_state(specimen.block, specimen.solid));
+    specimen.look(0);
+    specimen.stretch(added, 1 / added);
+    specimen.look(0.1);
+    const double half_more = 0.5 * 1.44 * (added * added - 1);  // judged half a step ahead
+    EXPECT_EQ(specimen.block.view().alive[0] < 0, 1.44 * added * added + half_more > 1.5 * 1.5);
+    Specimen<> held(p);
+    held.stretch(added, 1 / added);
+    held.look(0);
+    EXPECT_EQ(held.look(0.1).doomed > 0, 1.2 * added > 1.5);
+  }
+}
+
+TEST(InitialStretch, AShotHasTheSameBitsOnAnyNumberOfThreadsAndATautTargetIsAnother) {
+  Problem p = setting_s();
+  p.end_time = 8;
+  const ImpactResult slack = run_impact(p, 1);
+  p.stretch = 1.2;
+  const ImpactResult taut = run_impact(p, 1);
+  EXPECT_GT(std::abs(taut.end_speed - slack.end_speed), 0.02);
+  same_bits(run_impact(p, 3), taut);
+}
+
+TEST(InitialStretch, OneThatAloneReachesALimitEndsTheRunAtOnce) {
+  Problem p = setting_s();
+  p.erosion = StressErosion{0.01};
+  p.stretch = 1.3;
+  const ImpactResult result = run_impact(p, 1);
+  EXPECT_EQ(result.outcome, Outcome::unstable);
+  EXPECT_EQ(result.reason, "the target's initial stretch alone reaches its limit of erosion");
+  EXPECT_EQ(result.steps, 0);
+}
+
+}  // namespace
+}  // namespace percal
