@@ -1,6 +1,6 @@
 // observe: what runs mean.
 //
-// The replicates of one impact as one penetration in SI, with warnings; the history as CSV; runs as the store keeps them; fields
+// The replicates of one impact as one penetration in SI, with warnings; what else a field measures of it; the history as CSV; runs as the store keeps them; fields
 // for ParaView and a picture of the last state.
 //
 //     const percal::Penetration found = percal::summarise(runs, reduction.problem, reduction.scales);
@@ -8,6 +8,7 @@
 //
 // See docs/formats/impact.md and docs/formats/fields.md.
 #pragma once
+#include "percal/observe/field_measures.hpp"
 #include "percal/observe/fields.hpp"
 #include "percal/observe/history.hpp"
 #include "percal/observe/penetration.hpp"

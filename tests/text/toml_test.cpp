@@ -240,7 +240,7 @@ TEST(Toml, MalformedTextIsRefusedWithItsLine) {
   EXPECT_THAT(refusal("a = 1\na = 2\n", nothing), StartsWith("folder/scene.toml:2: not valid TOML"));
   EXPECT_THAT(refusal("a = \"\xff\"", nothing), StartsWith("folder/scene.toml:1: not valid TOML"));
   for (const char* text :
-       {"[=", "[=]", "[[\n", "[ ", "[.a]", "[a.]", "a.=1", "={", "a={=1}", "a=[=]", "a={b", "[a", "a=\"\"\"a"}) {
+       {"ä = 1", "[é]", "a = 1\nЖ", "漢", "[=", "[=]", "[[\n", "[ ", "[.a]", "[a.]", "a.=1", "={", "a={=1}", "a=[=]", "a={b", "[a", "a=\"\"\"a"}) {
     EXPECT_NE(refusal(text, nothing), "accepted") << text;
   }
   EXPECT_THROW(read_toml("/nowhere/scene.toml"), BadInput);

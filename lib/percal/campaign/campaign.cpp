@@ -120,9 +120,11 @@ std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads
   if (store_ && !observer && problem.history_samples == 0) {
     if (const auto stored = store_->find(key)) {
       Evaluation evaluation = read(*stored);
-      const std::lock_guard lock(books_->mutex);
-      ++books_->cost.reused;
-      return evaluation;
+      if (!lacks_something(evaluation.result, problem)) {
+        const std::lock_guard lock(books_->mutex);
+        ++books_->cost.reused;
+        return evaluation;
+      }
     }
   }
   if (deadline) {
@@ -150,13 +152,14 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate_by(const Deadline& dea
 
 std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
                                                           const Watch& watch, const Deadline& deadline) {
-  // Problems that are the same are evaluated once; those with a history apart from those without.
+  // Problems that are the same are evaluated once; those with a history or a channel apart from those without.
   std::map<std::string, std::size_t> first_with_key;
   std::vector<std::size_t> stands_for(problems.size()), distinct;
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    const char* history = problems[i].history_samples == 0 ? "" : " history";
-    const auto [place, is_new] =
-        first_with_key.try_emplace(evaluation_key(problems[i], instruction_level()) + history, i);
+    std::string key = evaluation_key(problems[i], instruction_level());
+    if (problems[i].history_samples > 0) key += " history";
+    if (problems[i].channel) key += " channel";
+    const auto [place, is_new] = first_with_key.try_emplace(key, i);
     stands_for[i] = place->second;
     if (is_new) distinct.push_back(i);
   }

@@ -75,6 +75,7 @@ std::string setting_of(const Problem& problem) {
   if (erosion_length(problem)) plain.erosion_average = AverageWithin{1};
   if (plain.graded_columns == usual_graded_columns(plain)) plain.graded_columns = 0;
   plain.elements_per_radius = 1;
+  plain.until = RunUntil::deepest;  // the depth is the same
   return evaluation_key(plain, "any");
 }
 

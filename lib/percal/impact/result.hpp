@@ -1,5 +1,7 @@
 // What one run of the impact solver ends with. Dimensionless: lengths in radii, energies over the impact energy where said.
 #pragma once
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,37 @@ struct HistoryPoint {
   EnergyLedger energy = {};  // at this time, velocities too
 };
 
+// How a run ends that goes on past its deepest point, or past the target's lower face (RunUntil::rest): a value that the caller
+// must look at. docs/theory/impact.md, "After the deepest point".
+//   rests           the tip moves no more, but for `half_width`
+//   left_upwards    the particle flies back out, touched by nothing
+//   passed_through  the same below the target; where its bottom is held, the tip has reached it
+//   time_up         the end time came first, or the step collapsed
+//   unstable        as Outcome::unstable, after the deepest point
+enum class Ending { rests, left_upwards, passed_through, time_up, unstable };
+std::string word(Ending ending);
+Ending ending_from(const std::string& word);  // throws std::invalid_argument
+
+struct Aftermath {
+  Ending ending = Ending::unstable;
+  std::string reason;     // as ImpactResult::reason
+  double depth = 0;       // of the tip, radii: the middle of where it was in the last half of the run's time; where it left, at the end
+  double half_width = 0;  // radii: half of that swing; 0 where it left
+  double time = 0;        // radii over impact speed
+  double speed = 0;       // downwards, over the scene's impact speed
+  long eroded = 0;
+  EnergyLedger energy;
+};
+
+// Where the channel's radius is taken: shares of a run's deepest tip position, in undeformed depth.
+inline constexpr std::array<double, 10> channel_shares{0.05, 0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95};
+
+// Half the distance of the walls that erosion has left, radii, at channel_shares; 0 where a row is whole. Empty unless asked for.
+struct Channel {
+  std::vector<double> largest;  // over the run
+  std::vector<double> end;      // when it ended
+};
+
 struct ImpactResult {
   Outcome outcome = Outcome::unstable;
   std::string reason;  // of unstable, and of a time that is up because the step collapsed, in words; else empty
@@ -86,6 +119,12 @@ struct ImpactResult {
   EnergyLedger energy;
   double helper_cpu_seconds = 0;      // processor time of threads besides the calling one
   std::vector<HistoryPoint> history;  // empty unless asked for
+  // Downwards, over the scene's impact speed, when the tip crossed the undeformed lower face of each layer that it crossed.
+  std::vector<double> speeds_behind;
+  Channel channel;
+  // What came then. The rest is of the moment at which a run without it ends, but for steps and element_steps, the history and the
+  // channel.
+  std::optional<Aftermath> aftermath;
 };
 
 }  // namespace percal

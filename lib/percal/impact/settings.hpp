@@ -83,6 +83,19 @@ inline constexpr double search_radius = 2.2;
 // A node with as little way out as this, squared, between two sides that face each other is left where it is.
 inline constexpr double flattest_way_out = 1e-3;
 
+// --- past the deepest point (docs/theory/impact.md, "After the deepest point") ------------------------------------------
+
+// A tip that has kept within this share of its deepest position over the last half of a run's time is at rest. Smaller: swings that walls
+// send back and nothing damps never end. Larger: a particle that still creeps out of its channel is taken for one at rest.
+inline constexpr double rest_swing = 0.05;
+
+// In radii at impact speed: of looks for that, and of what is kept of the path.
+inline constexpr double rest_interval = 0.25;
+
+// Over the impact speed: a particle outside the target whose speed has changed by no more over its own height is touched by nothing any
+// more. Smaller: the rounding of an elastic particle's momentum is taken for a touch. Larger: so is a slow push from behind.
+inline constexpr double free_speed_change = 1e-4;
+
 // --- an elastic particle (docs/theory/elastic_particle.md) ---
 
 // On its radius, however coarse the target. Fewer: its lowest frequencies, and with them what it stores, are wrong.

@@ -6,22 +6,29 @@
 #include <cmath>
 
 namespace percal {
-namespace {
 
-EnergyLedger mean_energy(const std::vector<Evaluation>& replicates) {
+EnergyLedger mean_energy(const std::vector<EnergyLedger>& energies) {
   EnergyLedger mean;
   for (const EnergyTerm& term : energy_terms)
-    for (const auto& run : replicates)
-      mean.*term.share += run.result.energy.*term.share / static_cast<double>(replicates.size());
+    for (const EnergyLedger& energy : energies) mean.*term.share += energy.*term.share / static_cast<double>(energies.size());
   return mean;
 }
 
-}  // namespace
+MeanOfRuns mean_of_runs(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const auto n = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / n;
+  if (values.size() < 2) return {.mean = mean};
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double spread = std::sqrt(squares / (n - 1));
+  return {mean, spread, spread / std::sqrt(n)};
+}
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales) {
   Penetration p;
   p.outcome = replicates.front().result.outcome;
-  const auto n = static_cast<double>(replicates.size());
   for (const auto& run : replicates) {
     p.outcomes.push_back(run.result.outcome);
     p.depths.push_back(run.result.depth * scales.radius);
@@ -30,16 +37,14 @@ Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& 
     if (run.result.outcome == Outcome::passed_through) p.at_least = problem.whole_depth() * scales.radius;
     if (run.result.steps > 0) p.worst_closure = std::max(p.worst_closure, std::abs(run.result.energy.closure()));
   }
-  p.energy = mean_energy(replicates);
+  std::vector<EnergyLedger> energies;
+  for (const auto& run : replicates) energies.push_back(run.result.energy);
+  p.energy = mean_energy(energies);
   if (p.outcome != Outcome::stopped) return p;
-  double sum = 0, squares = 0;
-  for (const double depth : p.depths) sum += depth;
-  p.depth = sum / n;
-  if (replicates.size() > 1) {
-    for (const double depth : p.depths) squares += (depth - *p.depth) * (depth - *p.depth);
-    p.spread = std::sqrt(squares / (n - 1));
-    p.standard_error = *p.spread / std::sqrt(n);
-  }
+  const auto [mean, spread, standard_error] = mean_of_runs(p.depths);
+  p.depth = mean;
+  p.spread = spread;
+  p.standard_error = standard_error;
   return p;
 }
 

@@ -18,6 +18,12 @@ struct Evaluation {
   bool reused = false;  // taken from the store
 };
 
+// Of a number that every run has: mean, sample standard deviation and that over the root of their number. One run has no deviation.
+struct MeanOfRuns {
+  std::optional<double> mean = {}, spread = {}, standard_error = {};
+};
+MeanOfRuns mean_of_runs(const std::vector<double>& values);  // nothing of none
+
 // The replicates of one problem (problem/replicates.hpp). Depths are averaged only where every run stopped: outcomes of different kinds are never
 // mixed into one number.
 struct Penetration {
@@ -32,6 +38,9 @@ struct Penetration {
   EnergyLedger energy;                   // mean over the runs
   double worst_closure = 0;              // largest |energy closure|
 };
+
+// Mean of every term.
+EnergyLedger mean_energy(const std::vector<EnergyLedger>& energies);
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales);
 

@@ -50,6 +50,71 @@ std::string energy_text(const EnergyLedger& energy) {
   return object_text(members);
 }
 
+std::string list_text(const std::vector<double>& values) {
+  std::string text = "[";
+  for (const double value : values) {
+    if (text.size() > 1) text += ',';
+    text += value_text(finite(value));
+  }
+  return text += ']';
+}
+
+std::string aftermath_text(const Aftermath& after) {
+  return object_text({{"ending", value_text(word(after.ending))},
+                      {"reason", value_text(after.reason)},
+                      {"depth", value_text(finite(after.depth))},
+                      {"half_width", value_text(finite(after.half_width))},
+                      {"time", value_text(finite(after.time))},
+                      {"speed", value_text(finite(after.speed))},
+                      {"eroded", value_text(after.eroded)},
+                      {"energy", energy_text(after.energy)}});
+}
+
+// What only some runs have. Rows of earlier versions have none of it: lacks_something().
+void add_what_is_there(Members& members, const ImpactResult& r) {
+  if (!r.speeds_behind.empty()) members["speeds_behind"] = list_text(r.speeds_behind);
+  if (!r.channel.largest.empty())
+    members["channel"] = object_text({{"largest", list_text(r.channel.largest)}, {"end", list_text(r.channel.end)}});
+  if (r.aftermath) members["aftermath"] = aftermath_text(*r.aftermath);
+  if (r.eroded_by != ErodedBy{})
+    members["eroded_by"] = object_text({{"strain", value_text(r.eroded_by.strain)},
+                                        {"stress", value_text(r.eroded_by.stress)},
+                                        {"energy", value_text(r.eroded_by.energy)}});
+}
+
+std::vector<double> numbers(const Json& array) {
+  std::vector<double> values;
+  for (const Json& value : array) values.push_back(number(value));
+  return values;
+}
+
+EnergyLedger energy_from(const Json& json) {
+  EnergyLedger energy;
+  for (const EnergyTerm& term : energy_terms)
+    if (!may_be_absent(term) || json.contains(term.key)) energy.*term.share = number(json.at(term.key));
+  return energy;
+}
+
+Aftermath aftermath_from(const Json& json) {
+  return {.ending = ending_from(json.at("ending").get<std::string>()),
+          .reason = json.at("reason").get<std::string>(),
+          .depth = number(json.at("depth")),
+          .half_width = number(json.at("half_width")),
+          .time = number(json.at("time")),
+          .speed = number(json.at("speed")),
+          .eroded = json.at("eroded").get<long>(),
+          .energy = energy_from(json.at("energy"))};
+}
+
+void take_what_is_there(const Json& json, ImpactResult& r) {
+  if (json.contains("speeds_behind")) r.speeds_behind = numbers(json.at("speeds_behind"));
+  if (json.contains("channel"))
+    r.channel = {.largest = numbers(json.at("channel").at("largest")), .end = numbers(json.at("channel").at("end"))};
+  if (json.contains("aftermath")) r.aftermath = aftermath_from(json.at("aftermath"));
+  if (const auto by = json.find("eroded_by"); by != json.end())
+    r.eroded_by = {by->at("strain").get<long>(), by->at("stress").get<long>(), by->at("energy").get<long>()};
+}
+
 }  // namespace
 
 std::string to_payload(const Evaluation& evaluation) {
@@ -73,10 +138,7 @@ std::string to_payload(const Evaluation& evaluation) {
                       {"level", value_text(evaluation.instruction_level)},
                       {"wall_s", value_text(evaluation.wall_seconds)},
                       {"cpu_s", value_text(evaluation.cpu_seconds)}};
-  if (r.eroded_by != ErodedBy{})
-    members["eroded_by"] = object_text({{"strain", value_text(r.eroded_by.strain)},
-                                        {"stress", value_text(r.eroded_by.stress)},
-                                        {"energy", value_text(r.eroded_by.energy)}});
+  add_what_is_there(members, r);
   return object_text(members);
 }
 
@@ -98,13 +160,10 @@ Evaluation from_payload(const std::string& payload) {
     r.element_steps = json.at("element_steps").get<double>();
     r.eroded = json.at("eroded").get<long>();
     r.distorted = json.at("distorted").get<long>();
-    if (const auto by = json.find("eroded_by"); by != json.end())
-      r.eroded_by = {by->at("strain").get<long>(), by->at("stress").get<long>(), by->at("energy").get<long>()};
     r.smallest_jacobian = number(json.at("smallest_jacobian"));
     r.smallest_step = number(json.at("smallest_step"));
-    for (const EnergyTerm& term : energy_terms)
-      if (!may_be_absent(term) || json.at("energy").contains(term.key))
-        r.energy.*term.share = number(json.at("energy").at(term.key));
+    r.energy = energy_from(json.at("energy"));
+    take_what_is_there(json, r);
     evaluation.instruction_level = json.at("level").get<std::string>();
     evaluation.wall_seconds = json.at("wall_s").get<double>();
     evaluation.cpu_seconds = json.at("cpu_s").get<double>();
@@ -113,6 +172,15 @@ Evaluation from_payload(const std::string& payload) {
   }
   evaluation.reused = true;
   return evaluation;
+}
+
+bool lacks_something(const ImpactResult& result, const Problem& problem) {
+  std::size_t crossed = 0;
+  double face = problem.depth;
+  if (result.depth >= face) ++crossed;
+  for (const LowerLayer& layer : problem.below)
+    if (result.depth >= (face += layer.depth)) ++crossed;
+  return result.speeds_behind.size() < crossed || (problem.channel && result.channel.largest.empty());
 }
 
 }  // namespace percal

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "percal/observe/penetration.hpp"
+#include "percal/problem/problem.hpp"
 
 namespace percal {
 
@@ -11,6 +12,9 @@ namespace percal {
 std::string to_payload(const Evaluation& evaluation);
 // Throws std::invalid_argument where the text is not such a payload (a store of another version).
 Evaluation from_payload(const std::string& payload);
+
+// Whether a stored run of this problem is one of an earlier version, or of somebody who asked for less: it is to be run again.
+bool lacks_something(const ImpactResult& result, const Problem& problem);
 
 // {term: share, ..., "sum"}
 nlohmann::json energy_to_json(const EnergyLedger& energy);

@@ -25,7 +25,9 @@ struct UnitSuffix {
   const char* ending;
   Dimension dimension;
 };
-inline constexpr std::array<UnitSuffix, 10> unit_suffixes{{{"_kg_m3", dimension::density},
+inline constexpr std::array<UnitSuffix, 12> unit_suffixes{{{"_kg_m3", dimension::density},
+                                                           {"_kg_m2", dimension::sectional_density},
+                                                           {"_kg_m_s", dimension::impact_parameter},
                                                            {"_m_s", dimension::speed},
                                                            {"_rad_s", {.time = -1}},
                                                            {"_Pa", dimension::pressure},

@@ -206,7 +206,7 @@ Plot plot_of(const std::string& name, const Chart& chart) {
           (chart.title.empty() ? "" : fmt::format("set title {} noenhanced\n", gnuplot_quoted(chart.title))) +
               "set encoding utf8\nset tics nomirror out scale 0.6\nset pointintervalbox 0\nset key below Left reverse "
               "samplen 1.5 height 0.6 noenhanced\n" +
-              axes_of(chart) + "set grid lt 1 lw 0.5 lc rgb \"#bb808080\"\n" + blocks + drawn + "\n"};
+              axes_of(chart) + (chart.equal_scales ? "set size ratio -1\n" : "") + "set grid lt 1 lw 0.5 lc rgb \"#bb808080\"\n" + blocks + drawn + "\n"};
 }
 
 }  // namespace percal

@@ -36,6 +36,7 @@ struct Chart {
   std::vector<Series> series = {};
   std::optional<Axis> upper = {};  // a second x axis above, x times upper_factor
   double upper_factor = 1;
+  bool equal_scales = false;              // a unit is as long on either axis: a picture of something
   std::vector<std::string> remarks = {};  // comment lines at the head of the CSV
 };
 

@@ -37,6 +37,9 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
     list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
   if (problem.history_samples == 0) list.push_back({"history", "nobody asked for it"});
+  if (!problem.channel) list.push_back({"radius of the channel", "nobody asked for it"});
+  if (problem.until == RunUntil::deepest)
+    list.push_back({"what follows the deepest point", "the scene wants the deepest point"});
   if (std::holds_alternative<NoRelaxation>(problem.relaxation))
     list.push_back({"rate dependence", "the scene gives none"});
   const auto is_stretched = [](const auto& layer) { return layer.stretch != 1; };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "percal/scene/profile.hpp"
 
@@ -75,6 +76,20 @@ bool is_elastic(const Scene& scene) {
   const auto ratio = stress_over_particle_stiffness(scene);
   if (!sphere || !ratio || scene.particle.elasticity == Elasticity::rigid) return false;
   return scene.particle.elasticity == Elasticity::elastic || *ratio >= rigid_below;
+}
+
+// A round particle over pi a^2 or 2 a is what its mean thickness along the way weighs; a profile's mass is per radian or per thickness.
+double sectional_density(const Problem& problem, const Scales& scales) {
+  const bool plane = problem.geometry == Geometry::plane_strain;
+  const auto* profile = std::get_if<RigidPolygon>(&problem.particle);
+  const double mean_thickness = plane ? std::numbers::pi / 2 : 4.0 / 3;  // radii
+  const double over_density =
+      profile ? profile->mass * (plane ? 0.5 : 2) : problem.density_ratio * mean_thickness;  // over rho_t a
+  return over_density * scales.target_density * scales.radius;
+}
+
+double impact_parameter(const Problem& problem, const Scales& scales) {
+  return problem.density_ratio * scales.target_density * scales.speed * scales.radius;
 }
 
 Particle reduced_particle(const Scene& scene, double density_ratio) {

@@ -48,6 +48,9 @@ struct Problem {
   // About so many points of the penetration history, evenly spaced in steps; 0: none. Not part of the key, for it does
   // not change the result.
   int history_samples = 0;
+  bool channel = false;  // ImpactResult::channel is kept; not part of the key either
+  // Past the deepest point: ImpactResult::aftermath. Changes nothing else that a run says of its depth.
+  RunUntil until = RunUntil::deepest;
 
   double mu() const { return 1 / pi4; }
   double bulk() const { return bulk_ratio / pi4; }

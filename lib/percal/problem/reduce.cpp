@@ -221,6 +221,8 @@ Reduction reduce(const Scene& scene) {
   take_mesh(scene, p);
   take_solver(scene, p);
   if (scene.output.history) p.history_samples = usual_history_samples;
+  p.channel = scene.output.channel;
+  p.until = scene.output.after;
 
   reduction.bulk_modulus = p.bulk_ratio * reduction.mu_true;
   reduction.mach = mach_number(p);

@@ -14,6 +14,7 @@ const std::vector<std::string>& elasticity_words();
 const std::vector<std::string>& hourglass_words();
 const std::vector<std::string>& volumetric_words();
 const std::vector<std::string>& eroded_node_words();
+const std::vector<std::string>& run_until_words();
 
 // Throws BadInput.
 ParticleScene particle_from(const TomlTable& table, Geometry geometry);

@@ -226,8 +226,13 @@ struct SolverScene {
   bool operator==(const SolverScene&) const = default;
 };
 
+// How long a run goes on: to the deepest point, or past it until the particle rests or leaves.
+enum class RunUntil { deepest, rest };
+
 struct OutputScene {
-  bool history = false;  // the penetration history as CSV
+  bool history = false;                // the penetration history as CSV
+  RunUntil after = RunUntil::deepest;  // what a run is to tell last
+  bool channel = false;                // the channel's radius along the depth
   bool operator==(const OutputScene&) const = default;
 };
 

@@ -222,6 +222,8 @@ std::string scene_to_toml(const Scene& scene, const std::string& comment) {
   write_solver(lines, scene.solver);
   lines.table("output");
   lines.flag("history", scene.output.history);
+  lines.choice("after", run_until_words(), scene.output.after);
+  lines.flag("channel", scene.output.channel);
   return lines.all();
 }
 

@@ -154,6 +154,14 @@ MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
   return mesh;
 }
 
+OutputScene read_output(const TomlTable& table) {
+  OutputScene output;
+  output.history = table.flag("history", output.history);
+  output.after = choice(table, "after", run_until_words(), output.after);
+  output.channel = table.flag("channel", output.channel);
+  return output;
+}
+
 // The first layer may be thinner than the particle; all of them may not.
 std::vector<LowerLayerScene> read_below(const TomlTable& root, const TomlTable& target_table, const Scene& scene) {
   auto below = below_from(root.tables("below"), scene.target);
@@ -185,6 +193,10 @@ const std::vector<std::string>& volumetric_words() {
 }
 const std::vector<std::string>& eroded_node_words() {
   static const std::vector<std::string> words{"released", "in contact"};
+  return words;
+}
+const std::vector<std::string>& run_until_words() {
+  static const std::vector<std::string> words{"deepest", "rest"};
   return words;
 }
 
@@ -244,8 +256,7 @@ Scene scene_from(const TomlTable& table) {
     need_elements_in_erosion_length(scene, erosion.place(erosion_length_key(erosion)));
   }
   if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver);
-  if (const auto output = table.optional_table("output"))
-    scene.output.history = output->flag("history", scene.output.history);
+  if (const auto output = table.optional_table("output")) scene.output = read_output(*output);
   scene.replicates = table.integer("replicates", 1, most_replicates, scene.replicates);
   return scene;
 }

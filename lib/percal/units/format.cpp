@@ -26,6 +26,7 @@ constexpr std::array speeds{Step{"mm/s", 1e-3}, Step{"m/s", 1}};
 constexpr std::array densities{Step{"kg/m3", 1}};
 constexpr std::array pressures{Step{"Pa", 1}, Step{"kPa", 1e3}, Step{"MPa", 1e6}, Step{"GPa", 1e9}};
 constexpr std::array impact_parameters{Step{"kg/(m s)", 1}};
+constexpr std::array sectional_densities{Step{"g/m2", 1e-3}, Step{"kg/m2", 1}};
 constexpr std::array forces{Step{"uN", 1e-6}, Step{"mN", 1e-3}, Step{"N", 1}, Step{"kN", 1e3}};
 constexpr std::array energies{Step{"uJ", 1e-6}, Step{"mJ", 1e-3}, Step{"J", 1}, Step{"kJ", 1e3}};
 
@@ -45,6 +46,7 @@ const std::array kinds{
     Kind{dimension::density, "density", "kg/m3, g/cm3", densities},
     Kind{dimension::pressure, "pressure", "Pa, kPa, MPa, GPa", pressures},
     Kind{dimension::impact_parameter, "density times speed times radius", "kg/(m s)", impact_parameters},
+    Kind{dimension::sectional_density, "mass over area", "kg/m2, g/cm2", sectional_densities},
     Kind{{.mass = 1, .length = 1, .time = -2}, "force", "N, mN, kN", forces},
     Kind{{.mass = 1, .length = 2, .time = -2}, "energy", "J, mJ, kJ", energies},
 };

@@ -59,6 +59,7 @@ class ColumnWalk {
       if constexpr (Solid::in_pairs)
         if (lives && j + 2 * lanes <= rows.end && is_live(j + lanes)) {
           take_group<Pair<Vector>>(j);
+          report_.groups += 2;
           j += 2 * lanes;
           continue;
         }
@@ -66,6 +67,7 @@ class ColumnWalk {
         take_group<Vector>(j);
       else
         close_nodes(j);
+      report_.groups += lives;
       j += lanes;
     }
     close_nodes(rows.end);
@@ -127,7 +129,8 @@ class ColumnWalk {
       const V why = select(at_limit, broadcast<V>(Real(-1)), broadcast<V>(Real(-2)));
       store(alive_ + j, select(gone, why, load<V>(alive_ + j)));
       report_.doomed += static_cast<int>(lane_sum(select(gone, broadcast<V>(Real(1)), zero)));
-      add(work_, solid_.per_mesh_volume(select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero)));
+      const V lost = select(gone, Real(0.5) * old_viscous * (old_jacobian - s.jacobian), zero);
+      add(work_, solid_.per_mesh_volume(lost));
       live = live & ~gone;
     }
     solid_.close_group(j, live, gone);
@@ -136,7 +139,8 @@ class ColumnWalk {
     flag(steep > watched_, j);
     steepest_ = largest(steepest_, steep);
     tightest_ = smallest(tightest_, select(live, s.unbounded_jacobian, broadcast<V>(Real(1e30))));
-    add(work_, solid_.per_mesh_volume(select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero)));
+    const V lost = select(live, Real(0.5) * (old_viscous + q) * (old_jacobian - s.jacobian), zero);
+    add(work_, solid_.per_mesh_volume(lost));
     store(jacobian_ + j, s.jacobian);
     store(viscous_ + j, q);
 

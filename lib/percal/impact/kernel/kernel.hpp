@@ -150,6 +150,7 @@ struct ColumnReport {
   double largest_inverse_step = 0;  // 1/dt of the stable step, over live elements
   double smallest_jacobian = 1e30;  // over live elements
   int doomed = 0;                   // elements marked with alive below 0
+  int groups = 0;                   // of lanes that had live elements
   Rows candidates{1 << 30, 0};      // the first and behind the last group that has elements marked as such
 };
 

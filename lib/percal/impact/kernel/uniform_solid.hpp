@@ -119,9 +119,7 @@ class UniformSolid {
   template <class V>
   PERCAL_INLINE void refer_to_mesh(Piola<V>&) const {}
   template <class V>
-  PERCAL_INLINE V per_mesh_volume(V energy) const {
-    return energy;
-  }
+  PERCAL_INLINE V per_mesh_volume(V energy) const { return energy; }
   // From the displacements of the mode.
   template <class V>
   PERCAL_INLINE CornerForce<V> hourglass_force(int, V mode_r, V mode_z) const {

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "percal/impact/march/channel_record.hpp"
 #include "percal/impact/march/contact_zone.hpp"
+#include "percal/impact/march/layer_speeds.hpp"
 #include "percal/impact/march/recorder.hpp"
+#include "percal/impact/march/rest_watch.hpp"
 #include "percal/impact/march/sweep.hpp"
 #include "percal/impact/particle/elastic_sphere.hpp"
 #include "percal/impact/particle/particle.hpp"
@@ -31,6 +35,8 @@ class March {
         particle_(problem),
         zone_(block_, kernel_, particle_, friction_coefficient(problem)),
         recorder_(problem.history_samples),
+        layer_speeds_(problem),
+        channel_(problem.channel, block_.mesh().rows),
         observer_(observer),
         substeps_(rates_of(problem)) {
     if (solid_.is_stretched()) torn_ = !take_initial_state(block_, solid_);
@@ -46,7 +52,8 @@ class March {
   ImpactResult run() {
     for (;;) {
       find_all_forces();
-      if (has_ended()) break;
+      channel_.look(block_, result_.depth);
+      if (has_ended() && !goes_on()) break;
       choose_step();
       if (recorder_.is_due()) recorder_.keep(history_point());
       if (observer_ && observer_->is_due(moment())) observer_->see(frame());
@@ -61,7 +68,7 @@ class March {
     }
     synchronise();
     close_the_books();
-    return std::move(result_);
+    return at_deepest_ ? with_aftermath(std::move(*at_deepest_)) : std::move(result_);
   }
 
  private:
@@ -142,7 +149,7 @@ class March {
   }
 
   bool has_ended() {
-    result_.depth = std::max(result_.depth, particle_.tip());
+    if (!at_deepest_) result_.depth = std::max(result_.depth, particle_.tip());
     if (!std::isfinite(zone_.force()) || !std::isfinite(viscous_work_ + relaxing_work_))
       return end(Outcome::unstable, "a force is not finite");
     if (torn_) return end(Outcome::unstable, "the target's initial stretch alone reaches its limit of erosion");
@@ -153,10 +160,52 @@ class March {
       return end(Outcome::unstable, "the particle is ten times faster than at impact");
     if (const std::string failure = particle_.failure(); !failure.empty()) return end(Outcome::unstable, failure);
     if (result_.steps >= most_steps) return end(Outcome::time_up, "");
+    if (at_deepest_) return rests_or_has_left() || (time_ >= problem_.end_time && end(Outcome::time_up, ""));
     if (particle_.speed() <= 0) return end(Outcome::stopped, "");
     if (particle_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
     if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
     return false;
+  }
+
+  // Past the deepest point, or out of the target where it is free below: what the run says up to here is put aside.
+  bool goes_on() {
+    const bool passes = result_.outcome == Outcome::passed_through;
+    if (problem_.until != RunUntil::rest || at_deepest_ || !(passes || result_.outcome == Outcome::stopped)) return false;
+    ImpactResult here = at_one_time([this] {
+      take_stock();
+      return result_;
+    });
+    if (here.outcome == Outcome::unstable) return false;
+    at_deepest_ = std::move(here);
+    rest_watch_.begin(time_, result_.depth, problem_.whole_depth());
+    if (passes && problem_.bottom == Bottom::fixed) ending_ = Ending::passed_through;
+    return !ending_;
+  }
+
+  bool rests_or_has_left() {
+    ending_ = rest_watch_.look({time_, particle_.tip(), particle_.top(), particle_.speed()});
+    return ending_.has_value();
+  }
+
+  ImpactResult with_aftermath(ImpactResult deepest) const {
+    Ending ending = ending_.value_or(Ending::time_up);
+    if (result_.outcome == Outcome::unstable) ending = Ending::unstable;
+    const auto swing = rest_watch_.swing(time_);
+    const bool has_left = ending == Ending::left_upwards || ending == Ending::passed_through;
+    deepest.aftermath = {.ending = ending,
+                         .reason = result_.reason,
+                         .depth = has_left ? particle_.tip() : swing.middle(),
+                         .half_width = has_left ? 0 : swing.width() / 2,
+                         .time = time_,
+                         .speed = particle_.speed(),
+                         .eroded = result_.eroded,
+                         .energy = result_.energy};
+    deepest.steps = result_.steps;
+    deepest.element_steps = result_.element_steps;
+    deepest.helper_cpu_seconds = result_.helper_cpu_seconds;
+    deepest.history = result_.history;
+    deepest.channel = result_.channel;
+    return deepest;
   }
 
   bool end(Outcome outcome, const std::string& reason) {
@@ -180,16 +229,27 @@ class March {
   double stable_step(double inverse_step) const { return limits_.time_step_factor / inverse_step; }
 
   void move_far(double kick, double drift) {
-    sweep_.move_far(near_, rows_moving_, kick, drift);
-    if (drift > 0) zone_.close_far(near_, rows_moving_, kick, drift);
+    if (!(drift > 0)) return sweep_.move_far(near_, rows_moving_, kick, drift);
+    zone_.open_far(rows_moving_, drift);
+    sweep_.move_far(near_, rows_moving_, kick, drift, [this](int column) { zone_.look_far(near_, column); });
+    zone_.close_far(kick);
+  }
+
+  void move_near_nodes(double kick, double drift) {
+    if (near_.empty()) return;
+    if (!(drift > 0)) return sweep_.move_near(near_, kick, drift);
+    zone_.open_near(drift);
+    sweep_.move_near(near_, kick, drift, [this](int column) { zone_.look_near(near_, column); });
+    zone_.close_near(kick);
   }
 
   void move_near(double kick, double drift) {
-    sweep_.move_near(near_, kick, drift);
-    if (drift > 0) zone_.close_near(near_, kick, drift);
+    move_near_nodes(kick, drift);
+    const double tip = particle_.tip();
     particle_.drift(drift);
     time_ += drift;
     last_step_ = drift;
+    if (drift > 0) layer_speeds_.moved(time_, drift, tip, particle_.tip(), particle_.speed());
   }
 
   // Rows join the march when the last of those that move is no longer at rest.
@@ -267,20 +327,26 @@ class March {
     return sum / particle_mass;
   }
 
-  void close_the_books() {
-    const EnergyLedger energy = energy_shares(block_.mesh().rows);
-    result_.energy = energy;
+  // Of this moment; velocities stand at the time of the displacements.
+  void take_stock() {
+    result_.energy = energy_shares(block_.mesh().rows);
     result_.end_time = time_;
     result_.end_speed = particle_.speed();
     result_.sideways = particle_.sideways();
     result_.turn = particle_.turn();
     result_.target_momentum = target_momentum();
-    recorder_.finish({time_, particle_.tip(), particle_.speed(), zone_.force(), energy});
+    result_.speeds_behind = layer_speeds_.at_the_end(time_, particle_.speed());
+    const bool closes = std::abs(result_.energy.closure()) <= tolerated_energy_error;  // false for NaN
+    if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
+  }
+
+  void close_the_books() {
+    take_stock();
+    recorder_.finish({time_, particle_.tip(), particle_.speed(), zone_.force(), result_.energy});
     if (observer_) observer_->see(frame_as_is(true));
     result_.history = recorder_.take();
+    result_.channel = channel_.at_the_end(block_, result_.depth);
     result_.helper_cpu_seconds = sweep_.helper_cpu_seconds();
-    const bool closes = std::abs(energy.closure()) <= tolerated_energy_error;  // false for NaN
-    if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
   }
 
   const Problem& problem_;
@@ -292,6 +358,11 @@ class March {
   ParticleRun particle_;
   ContactZone<Real, ParticleRun> zone_;
   Recorder recorder_;
+  LayerSpeeds layer_speeds_;
+  ChannelRecord<Real> channel_;
+  RestWatch rest_watch_;
+  std::optional<ImpactResult> at_deepest_;  // where the run goes on past it
+  std::optional<Ending> ending_;            // then
   FrameObserver* const observer_;  // null where nobody looks on
   const int substeps_;
   NearCells before_;         // those of the last move

@@ -29,12 +29,12 @@ Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real
       holds_axis_(block.mesh().radius.front() == 0),
       averaged_(problem, block, solid_),
       team_(std::clamp(threads, 1, block.mesh().columns())),
-      all_parts_(even_parts()),
-      near_parts_(all_parts_),
       far_seams_(team_.workers()),
       near_seams_(team_.workers()),
       far_reports_(block.mesh().columns()),
       near_reports_(block.mesh().columns()),
+      all_parts_(parts_by(far_reports_, nullptr)),
+      near_parts_(all_parts_),
       stiff_(static_cast<std::size_t>(block.mesh().columns()) * (block.view().stride / kernel.lanes + 1)) {
   for (auto* seams : {&far_seams_, &near_seams_})
     for (std::size_t worker = 1; worker < seams->size(); ++worker) {
@@ -44,25 +44,16 @@ Sweep<Real>::Sweep(const Problem& problem, Block<Real>& block, const Kernel<Real
 }
 
 template <class Real>
-auto Sweep<Real>::even_parts() const -> Parts {
-  Parts parts;
-  for (long worker = 0; worker <= team_.workers(); ++worker)
-    parts.push_back(static_cast<int>(block_.mesh().columns() * worker / team_.workers()));
-  return parts;
-}
-
-template <class Real>
-auto Sweep<Real>::parts_of(const NearCells& near) const -> Parts {
-  const int columns = block_.mesh().columns();
-  std::vector<double> work{0};  // of the columns before
-  for (int i = 0; i < columns; ++i) {
-    work.push_back(work.back());
-    for (const Rows& run : near.elements(i)) work.back() += run.end - run.begin + kernel_.lanes;
-  }
+auto Sweep<Real>::parts_by(const std::vector<ColumnReport>& reports, const std::vector<ColumnReport>* more) const
+    -> Parts {
+  const auto columns = static_cast<int>(reports.size());
+  std::vector<long> before{0};  // what the columns before a column cost
+  for (int i = 0; i < columns; ++i)
+    before.push_back(before.back() + 1 + reports[i].groups + (more ? (*more)[i].groups : 0));
   Parts parts{0};
-  for (int worker = 1; worker < team_.workers(); ++worker) {
-    const double share = work.back() * worker / team_.workers();
-    parts.push_back(static_cast<int>(std::lower_bound(work.begin(), work.end() - 1, share) - work.begin()));
+  for (long worker = 1; worker < team_.workers(); ++worker) {
+    const long share = before.back() * worker / team_.workers();
+    parts.push_back(static_cast<int>(std::lower_bound(before.begin(), before.end() - 1, share) - before.begin()));
   }
   parts.push_back(columns);
   return parts;
@@ -71,7 +62,10 @@ auto Sweep<Real>::parts_of(const NearCells& near) const -> Parts {
 template <class Real>
 SweepReport Sweep<Real>::all(const NearCells& near, int rows, double last_far_step, double last_step) {
   const int columns = block_.mesh().columns();
-  if (team_.workers() > 1 && !near.empty()) near_parts_ = parts_of(near);
+  if (team_.workers() > 1) {
+    all_parts_ = parts_by(far_reports_, near.empty() ? nullptr : &near_reports_);
+    near_parts_ = parts_by(near_reports_, nullptr);
+  }
   team_.each([&](int worker) {
     const int begin = all_parts_[worker];
     for (int i = begin; i < all_parts_[worker + 1]; ++i) {
@@ -196,30 +190,27 @@ int Sweep<Real>::end_of_nodes(const Parts& parts, int worker) const {
 }
 
 template <class Real>
-void Sweep<Real>::move_far(const NearCells& near, int rows, double kick, double drift) {
+void Sweep<Real>::move_far(const NearCells& near, int rows, double kick, double drift, const Then& then) {
   team_.each([&](int worker) {
     for (int i = all_parts_[worker]; i < end_of_nodes(all_parts_, worker); ++i) {
       const auto move = [&](Rows run, double far) {
         kernel_.kick_and_drift(block_.view(), block_.far_forces(), i, run, held(i), kick, far);
       };
-      const int end = whole_groups(rows + 1);
-      if (near.empty()) {
-        move({0, end}, drift);
-        continue;
-      }
-      between(near.nodes(i), end, [&](Rows run) { move(run, drift); });
-      for (const Rows& run : near.nodes(i)) move(run, 0);
+      between(near.nodes_or_none(i), whole_groups(rows + 1), [&](Rows run) { move(run, drift); });
+      for (const Rows& run : near.nodes_or_none(i)) move(run, 0);
+      if (then) then(i);
     }
   });
 }
 
 template <class Real>
-void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
-  if (near.empty()) return;
+void Sweep<Real>::move_near(const NearCells& near, double kick, double drift, const Then& then) {
   team_.each([&](int worker) {
-    for (int i = near_parts_[worker]; i < end_of_nodes(near_parts_, worker); ++i)
+    for (int i = near_parts_[worker]; i < end_of_nodes(near_parts_, worker); ++i) {
       for (const Rows& run : near.nodes(i))
         kernel_.kick_and_drift(block_.view(), block_.near_forces(), i, run, held(i), kick, drift);
+      if (then) then(i);
+    }
   });
 }
 

@@ -2,6 +2,7 @@
 // column in their order, so that the bits do not depend on the number of threads. Nobody else writes to the block's
 // fields, but for what the march takes out or puts back.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "percal/impact/march/near_cells.hpp"
@@ -32,9 +33,11 @@ class Sweep {
   SweepReport near_only(const NearCells& near, double last_step);
 
   // Nodes outside the near cells: v += kick f/m, u += drift v by the far forces; the others are only kicked.
-  void move_far(const NearCells& near, int rows, double kick, double drift);
+  // then(column): called for each column of nodes that has moved, by the worker that moved it.
+  using Then = std::function<void(int column)>;
+  void move_far(const NearCells& near, int rows, double kick, double drift, const Then& then = {});
   // Nodes of the near cells, by the near forces.
-  void move_near(const NearCells& near, double kick, double drift);
+  void move_near(const NearCells& near, double kick, double drift, const Then& then = {});
 
   // Cells that are near and were not get what their forces do to the velocities in `late`; those that were and are not lose it.
   // After a sweep, where nothing has moved since.
@@ -56,8 +59,8 @@ class Sweep {
   };
   // Which columns fall to which worker: those from parts[worker] to parts[worker + 1].
   using Parts = std::vector<int>;
-  Parts even_parts() const;
-  Parts parts_of(const NearCells& near) const;
+  // As even as may be, by what each column cost at its last sweep.
+  Parts parts_by(const std::vector<ColumnReport>& reports, const std::vector<ColumnReport>* more) const;
   int end_of_nodes(const Parts& parts, int worker) const;
   void far_column(int column, bool first, Seam* seam, const NearCells& near, int rows, double last_step);
   void near_column(int column, bool first, Seam* seam, const NearCells& near, double last_step);
@@ -75,10 +78,9 @@ class Sweep {
   const bool holds_axis_;  // the first column of nodes stands on an axis or a plane of symmetry
   const AveragedErosion<Real> averaged_;
   Team team_;
-  const Parts all_parts_;  // of the block
-  Parts near_parts_;       // of the near cells, each as much work as the others
   std::vector<Seam> far_seams_, near_seams_;  // of threads 1, 2, ...
   std::vector<ColumnReport> far_reports_, near_reports_;
+  Parts all_parts_, near_parts_;  // of the block, of its near cells
   Seam cell_inner_, cell_outer_, changed_inner_, changed_outer_, changed_before_;  // of settle()
   double watched_ = 1e30;
   std::vector<unsigned char> stiff_;  // of cells, column after column

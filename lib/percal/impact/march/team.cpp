@@ -10,8 +10,9 @@
 namespace percal {
 namespace {
 
-// About 20 microseconds: as long as a worker of an even share is waited for. To be woken up takes as long.
-constexpr int looks = 400;
+// To fall asleep and be woken up takes longer than a sweep. So a worker first looks for about 50 microseconds, then a millisecond or two
+// in which it lets others have the processor.
+constexpr int looks = 1000, yields = 2000;
 
 void breathe() {
 #if defined(__x86_64__)
@@ -19,12 +20,15 @@ void breathe() {
 #endif
 }
 
-// Returns when `number` is not `value` any more: looks a while, then sleeps.
+// Returns when `number` is not `value` any more.
 template <class T>
 void wait_while(const std::atomic<T>& number, T value) {
-  for (int look = 0; look < looks; ++look) {
+  for (int look = 0; look < looks + yields; ++look) {
     if (number.load(std::memory_order_acquire) != value) return;
-    breathe();
+    if (look < looks)
+      breathe();
+    else
+      std::this_thread::yield();
   }
   number.wait(value);
 }

@@ -2,6 +2,7 @@
 
 #include "percal/observe/history.hpp"
 #include "percal/observe/page/depth_error.hpp"
+#include "percal/observe/page/field_measures.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/replicates.hpp"
 #include "percal/scene/erosion_length.hpp"
@@ -61,13 +62,15 @@ Json eroded_by_to_json(const Problem& problem, const ImpactResult& r) {
   return by;
 }
 
-Json run_to_json(const Evaluation& run, const Problem& replicate, double depth) {
+Json run_to_json(const Evaluation& run, const Problem& replicate, const Scales& scales, double depth) {
   const ImpactResult& r = run.result;
   return {{"elements_per_radius", replicate.elements_per_radius},
           {"speed_factor", replicate.speed_factor},
           {"outcome", word(r.outcome)},
           {"reason", text_or_null(r.reason)},
           {"depth_m", finite(depth)},
+          {"speeds_behind_m_s", speeds_behind_to_json(r, scales)},
+          {"final", aftermath_to_json(r.aftermath, scales)},
           {"steps", r.steps},
           {"elements", r.elements},
           {"eroded", r.eroded},
@@ -100,7 +103,7 @@ Json outcome_to_json(const ImpactFindings& f) {
   const auto of_a_run = [&](const auto& value) { return ran ? Json(value) : Json(nullptr); };
   Json runs = Json::array();
   for (std::size_t k = 0; k < f.runs.size(); ++k)
-    runs.push_back(run_to_json(f.runs[k], replicates[k], f.penetration.depths[k]));
+    runs.push_back(run_to_json(f.runs[k], replicates[k], f.reduction.scales, f.penetration.depths[k]));
   return {
       {"outcome", of_a_run(word(f.penetration.outcome))},
       {"depth_m", finite(f.penetration.depth)},
@@ -125,12 +128,14 @@ Json impact_to_json(const ImpactFindings& f) {
   Json left_out = Json::array(), sentences = f.reduction.warnings;
   for (const LeftOut& omission : f.reduction.left_out)
     left_out.push_back({{"what", omission.what}, {"why", omission.why}});
+  const FieldMeasures measures = field_measures(f.runs, f.reduction.problem, f.reduction.scales);
   if (!f.runs.empty())
-    for (const std::string& warning : warnings(f.penetration, f.runs))
-      sentences.push_back(warning);
+    for (const auto& list : {warnings(f.penetration, f.runs), warnings(measures, f.runs)})
+      for (const std::string& warning : list) sentences.push_back(warning);
   for (const std::string& note : f.evidence.notes) sentences.push_back(note);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));
+  result.update(field_measures_to_json(measures, f.scene, f.reduction, f.runs));
   result.update({{"mu_as_given_Pa", f.scene.target.mu_as_given},
                  {"mu_true_Pa", f.reduction.mu_true},
                  {"convention", word(f.scene.target.convention)},

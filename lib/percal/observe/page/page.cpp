@@ -9,6 +9,7 @@
 #include <map>
 
 #include "percal/observe/page/depth_error.hpp"
+#include "percal/observe/page/field_measures.hpp"
 #include "percal/observe/page/over_time.hpp"
 #include "percal/observe/page/scene_words.hpp"
 #include "percal/page/numbers.hpp"
@@ -29,10 +30,10 @@ std::string title_of(const Json& result) {
 
 std::string summary_of(const Json& result) {
   if (at(result, "outcome").is_null()) return "Not run. " + text(at(result, "accuracy"), "why_not");
-  if (number(result, "depth_m")) return "Depth " + depth_words(result);
+  if (number(result, "depth_m")) return "Depth " + depth_words(result) + final_words(result);
   if (number(result, "depth_at_least_m"))
-    return fmt::format("The particle passed through the target: deeper than {}.",
-                       length(number(result, "depth_at_least_m")));
+    return fmt::format("The particle passed through the target: deeper than {}{}.",
+                       length(number(result, "depth_at_least_m")), exit_words(result));
   return "The run ended as: " + text(result, "outcome") + ". There is no depth.";
 }
 
@@ -200,6 +201,7 @@ Section result_section(const Json& result) {
                  fmt::format("{} of them graded ({}), each {} times the last", shown(number(mesh, "graded_columns")),
                              yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given",
                              shown(number(mesh, "growth"), 3))));
+  for (const auto& [what, value] : field_rows(result)) row(what.c_str(), value);
   row("extrapolated from", mesh_depths(result));
   row("elements taken out of a run", eroded_words(result));
   row("erosion judged over",
@@ -252,7 +254,7 @@ page::Page impact_page(const page::Json& result) {
   page.title = title_of(result);
   page.summary = summary_of(result);
   for (auto section :
-       {result_section, findings_section, depth_error_section, asked_section, runs_section, impact_history_section,
+       {result_section, findings_section, depth_error_section, channel_section, asked_section, runs_section, impact_history_section,
         impact_energy_section, left_out_section, provenance_section, input_section})
     add(page, section(result));
   return page;
