@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "impact/impulse.hpp"
+#include "impact/meeting.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/march/contact_zone.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/impact/particle/elastic_sphere.hpp"
 #include "percal/impact/settings.hpp"
@@ -138,7 +138,7 @@ struct Cloud {
       if (k % search_interval == 0) zone.search(block.mesh().rows, 0.25 + 3 * search_interval * step);
       for (int i = 0; i <= columns; ++i)
         kernel<double>().kick_and_drift(block.view(), block.far_forces(), i, rows, i == 0, 0, step);
-      zone.close_far({}, block.mesh().rows, step, step);
+      meet(zone, block.mesh(), step, step);
       sphere.drift(step);
     }
   }

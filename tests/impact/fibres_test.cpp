@@ -155,6 +155,18 @@ TEST(Fibres, AnErodingShotOfAStretchedFibrousLayerClosesOnAnyNumberOfThreads) {
   }
 }
 
+// Of a strain it is the energy of a test along the plane.
+TEST(Fibres, AStrainJudgedOverALengthStandsForAnEnergyWithTheirsInIt) {
+  Problem p = fibrous(setting_s());
+  p.erosion_average = AverageWithin{0.5};
+  const double with = constants_of_layers(p).front().erosion_limit, l = 1.7;
+  const auto& planar = std::get<PlanarFibres>(p.fibres);
+  p.fibres = NoFibres{};
+  const double E = planar.kappa * (l * l + 1 / l) + (1 - 2 * planar.kappa) / l - 1;
+  EXPECT_NEAR(with - constants_of_layers(p).front().erosion_limit,
+              planar.k1 / (2 * planar.k2) * (std::exp(planar.k2 * E * E) - 1), 1e-11 * with);
+}
+
 // An average of the energy has the fibres' in it.
 TEST(Fibres, AnAverageOfTheEnergyCountsThem) {
   Problem p = fibrous(setting_s(8));

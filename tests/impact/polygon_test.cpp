@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "impact/impulse.hpp"
+#include "impact/meeting.hpp"
 #include "impact/polygons.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/march/contact_zone.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/impact/particle/particle.hpp"
 #include "percal/impact/target/constants.hpp"
@@ -30,7 +30,7 @@ class OneStep {
   }
   void take() {
     zone_.search(block_.mesh().rows, 1);
-    zone_.close_far({}, block_.mesh().rows, 0, by_);
+    meet(zone_, block_.mesh(), 0, by_);
     particle_.drift(by_);
   }
   // Of the target, over what moment(x, z, v_x, v_z) says of unit mass.

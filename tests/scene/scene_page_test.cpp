@@ -53,9 +53,11 @@ const std::vector<TablePlace>& places() {
       {"Top level", "", "", ""},
       {"[particle]", "[particle]", "", ""},
       {"[target]", "[target]", "", ""},
+      {"[target.fibres]", "[target.fibres]", "k1 = \"1 MPa\"\nk2 = 1\n", ""},
       {"[target.erosion]", "[target.erosion]", "strain = 0.7\n", ""},
       {"[[target.relaxation]]", "[[target.relaxation]]", "share = 0.3\ntime = \"1 us\"\n", ""},
       {"[[below]]", "[[below]]", layer.substr(layer.find('\n') + 1), ""},
+      {"[below.fibres]", "[below.fibres]", "k1 = \"1 MPa\"\nk2 = 1\n", layer},
       {"[below.erosion]", "[below.erosion]", "strain = 0.7\n", erosion + layer},
       {"[mesh]", "[mesh]", "", ""},
       {"[solver]", "[solver]", "", ""},
@@ -107,7 +109,7 @@ TEST(ScenePage, TheLongExampleNamesEveryKeyWithADefault) {
       "nu",       "erosion",   "relaxation",    "strain",   "measure",        "stress",      "energy",
       "share",    "time",      "vertices",      "side",     "tip_angle",      "orientation", "rotation",
       "mass",     "thickness", "diameter",      "bulk_to_shear", "end_time", "graded_columns", "width",    "length",      "length_in_radii",
-      "cell",     "strain_below", "fibres",     "k1",       "k2"};
+      "cell",     "strain_below", "fibres",     "k1",       "k2",       "kappa"};
   for (const auto& [heading, keys] : described_keys()) {
     for (const auto& key : keys) {
       const bool written = examples().at(1).find(key + " = ") != std::string::npos;

@@ -80,8 +80,6 @@ TEST(TargetToml, EachLayerMayHaveFibres) {
   EXPECT_EQ(parse_scene(scene_to_toml(scene, ""), scene.source), scene);
   EXPECT_THAT(refusal_with("[target.fibres]\nk1 = \"1 MPa\"\n"), HasSubstr("target.fibres.k2: found no such key"));
   EXPECT_THAT(refusal_with("[target.fibres]\nkappa = 0.6\n" + table), HasSubstr("a number from 1/3"));
-  EXPECT_THAT(refusal_with("[target.fibres]\n" + table + "[target.erosion]\nstrain = 0.7\nlength_in_radii = 0.5\n"),
-              HasSubstr("found this beside strain in a layer with fibres"));
 }
 
 TEST(TargetToml, AtLeastOneCriterionIsGiven) {

@@ -73,9 +73,6 @@ ErosionAverage read_average(const TomlTable& table, const ParticleScene& particl
     table.refuse(
         key, "this beside stress",
         "a length beside strain or energy: what is averaged is the energy, and a limit of stress is none of it");
-  if (std::holds_alternative<StrainErosion>(layer.erosion) && !std::holds_alternative<NoFibres>(layer.fibres))
-    table.refuse(key, "this beside strain in a layer with fibres",
-                 "a length beside energy: what a strain stands for is the energy of a tension test without fibres");
   if (!layer.further_erosion.is_empty())
     table.refuse(key, "this beside strain and energy", "a length beside one criterion, strain or energy");
   return AverageWithin{length ? *length : *in_radii * particle.radius};

@@ -164,14 +164,9 @@ void add_skin(Matrix& m) {
     rub(s, 1);
     make_cone(s, 30);
   });
-  m.add("coefficient 0.3, elastic particle", [](Scene& s) {
-    rub(s, 0.3);
-    make_elastic(s, 79e9);
-  });
   m.group("initial stretch");
   for (const double stretch : {0.5, 0.9, 1.2, 1.69})
     m.add(fmt::format("stretch {}", stretch), [=](Scene& s) { s.target.stretch = stretch; });
-  m.add("stretch 1.7, the limit itself", [](Scene& s) { s.target.stretch = 1.7; });
   m.add("stretch 1.3, erosion none, alpha -5", [](Scene& s) {
     s.target.stretch = 1.3;
     s.target.alpha = -5;
@@ -370,6 +365,11 @@ void add_combinations(Matrix& m) {
 // What is refused before it starts, with the reader's words.
 void add_refused(Matrix& m) {
   m.group("refused");
+  m.add("friction 0.3 of an elastic particle", [](Scene& s) {
+    rub(s, 0.3);
+    make_elastic(s, 79e9);
+  });
+  m.add("stretch 1.7, the erosion strain's own", [](Scene& s) { s.target.stretch = 1.7; });
   m.add("nu 0.5", [](Scene& s) { s.target.volumetric = PoissonRatio{0.5}; });
   m.add("alpha 0", [](Scene& s) { s.target.alpha = 0; });
   m.add("negative mu", [](Scene& s) { s.target.mu_as_given = -mu; });

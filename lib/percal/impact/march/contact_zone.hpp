@@ -20,12 +20,13 @@ class ContactZone {
       : block_(block),
         kernel_(kernel),
         particle_(particle),
-        friction_coefficient_(friction_coefficient),
-        found_(block.view().stride + kernel.lanes) {
+        friction_coefficient_(friction_coefficient) {
     const auto& x = block_.mesh().radius;
     while (x[columns_.begin] < -search_radius) ++columns_.begin;
     columns_.end = columns_.begin;
     while (columns_.end <= block_.mesh().columns() && x[columns_.end] < search_radius) ++columns_.end;
+    seen_.resize(columns_.end);
+    for (int i = columns_.begin; i < columns_.end; ++i) seen_[i].found.resize(block_.view().stride + kernel_.lanes);
   }
 
   ContactColumns columns() const { return columns_; }
@@ -53,24 +54,25 @@ class ContactZone {
     rows_.begin = first / kernel_.lanes * kernel_.lanes;
   }
 
-  // Nodes outside the near cells have moved over `drift`, kicked by these forces: those inside the particle are pushed back.
-  void close_far(const NearCells& near, int rows_moving, double kick, double drift) {
+  // Nodes outside the near cells move over `drift`: open_far before, look_far for each column that has, and close_far, which pushes back
+  // those that are inside the particle then. Columns may be looked at side by side.
+  void open_far(int rows_moving, double drift) {
     const int deepest = static_cast<int>((particle_.tip() + 1) / block_.mesh().row_height) + 2;
     rows_.end = std::min(rows_moving + 1, std::max(deepest, lifted_rows_));
-    begin(far_, drift);
-    for (int i = columns_.begin; i < columns_.end; ++i)
-      between(near.nodes_or_none(i), rows_.end, [&](Rows run) { look(far_, i, run, drift); });
-    end(far_, block_.far_forces(), kick, drift);
+    open(drift);
   }
+  void look_far(const NearCells& near, int column) {
+    if (has(column)) between(near.nodes_or_none(column), rows_.end, [&](Rows run) { look(column, run); });
+  }
+  void close_far(double kick) { close(far_, block_.far_forces(), kick); }
 
   // The same of the nodes of near cells.
-  void close_near(const NearCells& near, double kick, double drift) {
-    if (near.empty()) return;
-    begin(near_, drift);
-    for (int i = columns_.begin; i < columns_.end; ++i)
-      for (const Rows& run : near.nodes(i)) look(near_, i, run, drift);
-    end(near_, block_.near_forces(), kick, drift);
+  void open_near(double drift) { open(drift); }
+  void look_near(const NearCells& near, int column) {
+    if (!has(column)) return;
+    for (const Rows& run : near.nodes(column)) look(column, run);
   }
+  void close_near(double kick) { close(near_, block_.near_forces(), kick); }
 
   // Half a kick alone has moved velocities: nodes that pushed in the last steps stay with the particle.
   void hold() {
@@ -96,6 +98,12 @@ class ContactZone {
     double force = 0;
   };
 
+  // In one column.
+  struct Seen {
+    std::vector<int> found;  // rows: room for all of them
+    std::vector<Touch> touches;
+  };
+
   double velocity_along(const Touch& touch) const {
     const auto& view = block_.view();
     return touch.away_x * view.v_r[touch.node] + touch.away_z * view.v_z[touch.node];
@@ -117,36 +125,43 @@ class ContactZone {
       friction_ += particle_.rub(meeting.touches, columns_, friction_coefficient_);
   }
 
-  void begin(Meeting& meeting, double drift) {
-    meeting.touches.clear();
+  bool has(int column) const { return column >= columns_.begin && column < columns_.end; }
+
+  void open(double drift) {
+    drift_ = drift;
+    for (Seen& column : seen_) column.touches.clear();
     particle_.foresee(drift);
   }
 
-  void look(Meeting& meeting, int column, Rows run, double drift) {
+  void look(int column, Rows run) {
     const Rows rows{std::max(run.begin, rows_.begin), std::min(run.end, rows_.end)};
     if (rows.empty()) return;
     const auto& mesh = block_.mesh();
     const auto& view = block_.view();
+    auto& [found, touches] = seen_[column];
     const int count = particle_.find(kernel_, std::as_const(block_), {column, mesh.radius[column], mesh.row_height, rows},
-                                     found_.data());
+                                     found.data());
     for (int k = 0; k < count; ++k) {
-      const long n = block_.at(column, found_[k]);
-      Touch touch{.column = column, .node = n, .mass = block_.mass(column, found_[k])};
+      const long n = block_.at(column, found[k]);
+      Touch touch{.column = column, .node = n, .mass = block_.mass(column, found[k])};
       touch.x = mesh.radius[column] + view.u_r[n];
-      touch.z = found_[k] * mesh.row_height + view.u_z[n];
-      touch.from_x = touch.x - drift * view.v_r[n];
-      touch.from_z = touch.z - drift * view.v_z[n];
+      touch.z = found[k] * mesh.row_height + view.u_z[n];
+      touch.from_x = touch.x - drift_ * view.v_r[n];
+      touch.from_z = touch.z - drift_ * view.v_z[n];
       const auto [gap, away_x, away_z] = particle_.overlap(touch.x, touch.z);
       touch.away_x = mesh.radius[column] == 0 && !block_.is_whole() ? 0 : away_x;
       touch.away_z = away_z;
       if (gap <= 0 || touch.steepness() < flattest_way_out) continue;
-      touch.rate = gap / drift;
-      meeting.touches.push_back(touch);
+      touch.rate = gap / drift_;
+      touches.push_back(touch);
     }
   }
 
-  void end(Meeting& meeting, const NodeForces<Real>& forces, double kick, double drift) {
+  void close(Meeting& meeting, const NodeForces<Real>& forces, double kick) {
     const auto& view = block_.view();
+    meeting.touches.clear();
+    for (const Seen& column : seen_)
+      meeting.touches.insert(meeting.touches.end(), column.touches.begin(), column.touches.end());
     for (Touch& touch : meeting.touches) {
       const double along = touch.away_x * forces.r[touch.node] + touch.away_z * forces.z[touch.node];
       touch.now = velocity_along(touch);
@@ -154,10 +169,10 @@ class ContactZone {
     }
     collisions_ += particle_.meet(meeting.touches, columns_);
     if (friction_coefficient_ > 0) rub(meeting, forces, kick);
-    push_nodes(view, meeting.touches, drift);
+    push_nodes(view, meeting.touches, drift_);
     double upwards = 0;
     for (const Touch& touch : meeting.touches) upwards += touch.impulse * touch.away_z + touch.rub * touch.along_z;
-    meeting.force = upwards / drift;
+    meeting.force = upwards / drift_;
   }
 
   Block<Real>& block_;
@@ -168,8 +183,9 @@ class ContactZone {
   Rows rows_{0, 0};
   int lifted_rows_ = 0;
   Meeting far_, near_;
+  double drift_ = 0;                      // of the nodes that are looked at
   double collisions_ = 0, friction_ = 0;  // energies
-  std::vector<int> found_;
+  std::vector<Seen> seen_;                // of each column
 };
 
 }  // namespace percal

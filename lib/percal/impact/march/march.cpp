@@ -229,13 +229,22 @@ class March {
   double stable_step(double inverse_step) const { return limits_.time_step_factor / inverse_step; }
 
   void move_far(double kick, double drift) {
-    sweep_.move_far(near_, rows_moving_, kick, drift);
-    if (drift > 0) zone_.close_far(near_, rows_moving_, kick, drift);
+    if (!(drift > 0)) return sweep_.move_far(near_, rows_moving_, kick, drift);
+    zone_.open_far(rows_moving_, drift);
+    sweep_.move_far(near_, rows_moving_, kick, drift, [this](int column) { zone_.look_far(near_, column); });
+    zone_.close_far(kick);
+  }
+
+  void move_near_nodes(double kick, double drift) {
+    if (near_.empty()) return;
+    if (!(drift > 0)) return sweep_.move_near(near_, kick, drift);
+    zone_.open_near(drift);
+    sweep_.move_near(near_, kick, drift, [this](int column) { zone_.look_near(near_, column); });
+    zone_.close_near(kick);
   }
 
   void move_near(double kick, double drift) {
-    sweep_.move_near(near_, kick, drift);
-    if (drift > 0) zone_.close_near(near_, kick, drift);
+    move_near_nodes(kick, drift);
     const double tip = particle_.tip();
     particle_.drift(drift);
     time_ += drift;

@@ -5,10 +5,11 @@
 namespace percal {
 namespace {
 
+// Among the groups from `begin` to `end`.
 template <class IsNear>
-void collect(std::vector<Rows>& runs, int groups, int lanes, IsNear is_near) {
+void collect(std::vector<Rows>& runs, int begin, int end, int lanes, IsNear is_near) {
   runs.clear();
-  for (int g = 0; g < groups; ++g) {
+  for (int g = begin; g < end; ++g) {
     if (!is_near(g)) continue;
     if (!runs.empty() && runs.back().end == g * lanes)
       runs.back().end += lanes;
@@ -30,10 +31,14 @@ NearCells::NearCells(int columns, int padded_rows, int lanes)
 void NearCells::clear() {
   std::fill(cells_.begin(), cells_.end(), std::uint8_t{0});
   count_ = 0;
+  first_ = groups_;
+  last_ = -1;
 }
 
 void NearCells::add(int column, int row) {
   auto& cell = cells_[index(column, row)];
+  first_ = std::min(first_, row / lanes_);
+  last_ = std::max(last_, row / lanes_);
   count_ += cell == 0;
   cell = 1;
 }
@@ -53,9 +58,9 @@ bool NearCells::near_node_group(int column, int group) const {
 
 void NearCells::close() {
   for (int i = 0; i < columns_; ++i)
-    collect(element_rows_[i], groups_, lanes_, [&](int g) { return cells_[static_cast<long>(i) * groups_ + g] != 0; });
+    collect(element_rows_[i], first_, last_ + 1, lanes_, [&](int g) { return cells_[static_cast<long>(i) * groups_ + g] != 0; });
   for (int i = 0; i <= columns_; ++i)
-    collect(node_rows_[i], groups_ + 1, lanes_, [&](int g) { return near_node_group(i, g); });
+    collect(node_rows_[i], first_, last_ + 2, lanes_, [&](int g) { return near_node_group(i, g); });
 }
 
 }  // namespace percal

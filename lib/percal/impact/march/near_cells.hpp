@@ -40,6 +40,7 @@ class NearCells {
   bool near_node_group(int column, int group) const;
   int columns_ = 0, groups_ = 0, lanes_ = 1;
   long count_ = 0;
+  int first_ = 0, last_ = -1;  // groups that have near cells, in any column
   std::vector<std::uint8_t> cells_;
   std::vector<std::vector<Rows>> element_rows_, node_rows_;
 };

@@ -190,30 +190,27 @@ int Sweep<Real>::end_of_nodes(const Parts& parts, int worker) const {
 }
 
 template <class Real>
-void Sweep<Real>::move_far(const NearCells& near, int rows, double kick, double drift) {
+void Sweep<Real>::move_far(const NearCells& near, int rows, double kick, double drift, const Then& then) {
   team_.each([&](int worker) {
     for (int i = all_parts_[worker]; i < end_of_nodes(all_parts_, worker); ++i) {
       const auto move = [&](Rows run, double far) {
         kernel_.kick_and_drift(block_.view(), block_.far_forces(), i, run, held(i), kick, far);
       };
-      const int end = whole_groups(rows + 1);
-      if (near.empty()) {
-        move({0, end}, drift);
-        continue;
-      }
-      between(near.nodes(i), end, [&](Rows run) { move(run, drift); });
-      for (const Rows& run : near.nodes(i)) move(run, 0);
+      between(near.nodes_or_none(i), whole_groups(rows + 1), [&](Rows run) { move(run, drift); });
+      for (const Rows& run : near.nodes_or_none(i)) move(run, 0);
+      if (then) then(i);
     }
   });
 }
 
 template <class Real>
-void Sweep<Real>::move_near(const NearCells& near, double kick, double drift) {
-  if (near.empty()) return;
+void Sweep<Real>::move_near(const NearCells& near, double kick, double drift, const Then& then) {
   team_.each([&](int worker) {
-    for (int i = near_parts_[worker]; i < end_of_nodes(near_parts_, worker); ++i)
+    for (int i = near_parts_[worker]; i < end_of_nodes(near_parts_, worker); ++i) {
       for (const Rows& run : near.nodes(i))
         kernel_.kick_and_drift(block_.view(), block_.near_forces(), i, run, held(i), kick, drift);
+      if (then) then(i);
+    }
   });
 }
 

@@ -2,6 +2,7 @@
 // column in their order, so that the bits do not depend on the number of threads. Nobody else writes to the block's
 // fields, but for what the march takes out or puts back.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "percal/impact/march/near_cells.hpp"
@@ -32,9 +33,11 @@ class Sweep {
   SweepReport near_only(const NearCells& near, double last_step);
 
   // Nodes outside the near cells: v += kick f/m, u += drift v by the far forces; the others are only kicked.
-  void move_far(const NearCells& near, int rows, double kick, double drift);
+  // then(column): called for each column of nodes that has moved, by the worker that moved it.
+  using Then = std::function<void(int column)>;
+  void move_far(const NearCells& near, int rows, double kick, double drift, const Then& then = {});
   // Nodes of the near cells, by the near forces.
-  void move_near(const NearCells& near, double kick, double drift);
+  void move_near(const NearCells& near, double kick, double drift, const Then& then = {});
 
   // Cells that are near and were not get what their forces do to the velocities in `late`; those that were and are not lose it.
   // After a sweep, where nothing has moved since.

@@ -69,10 +69,20 @@ double lasting_share_of(const Relaxation& relaxation) {
   return share;
 }
 
+// Of fibres in tension along the layer's plane.
+double uniaxial_fibre_energy(const Fibres& fibres, double stretch) {
+  const auto* planar = std::get_if<PlanarFibres>(&fibres);
+  if (!planar) return 0;
+  const double across = 1 / std::sqrt(stretch);
+  const scalar::Gradient<double> F{stretch, 0, 0, across, across};
+  return scalar::fibre_response(F, scalar::stretches(F), planar->k1, planar->k2, planar->kappa).energy;
+}
+
 // The energy density that a layer has in uniaxial tension at this stretch, volume kept: impact.md (24).
 double uniaxial_energy(const Layer& layer, double stretch) {
   return 2 * layer.mu / (layer.alpha * layer.alpha) *
-         (std::pow(stretch, layer.alpha) + 2 * std::pow(stretch, -layer.alpha / 2) - 3);
+             (std::pow(stretch, layer.alpha) + 2 * std::pow(stretch, -layer.alpha / 2) - 3) +
+         uniaxial_fibre_energy(layer.fibres, stretch);
 }
 
 // What a layer's measure of erosion may not exceed.
