@@ -4,8 +4,8 @@
 //   impact_bench batch [key=value]...  `runs` replicates side by side on `threads` threads: wall time
 //   impact_bench peak                  what one core reaches in multiply-adds and in moving memory
 //
-// Keys (all but runs and replicate as in problem/problem.hpp): nf, graded, depth, fine, end, double, rates, threads,
-// replicate, runs. The problem is setting S of docs/theory/impact.md. The instruction level is the environment's PERCAL_ISA.
+// Keys (all but runs and replicate as in problem/problem.hpp): nf, graded, depth, fine, end, double, history (points of it), rates,
+// threads, replicate, runs. The problem is setting S of docs/theory/impact.md. The instruction level is the environment's PERCAL_ISA.
 #include <sys/resource.h>
 
 #include <atomic>
@@ -54,7 +54,7 @@ class Options {
   // With their defaults; graded = 0: half as many columns as elements per radius.
   inline static const std::map<std::string, double> known = {
       {"nf", 10},    {"graded", 0}, {"depth", 45},  {"fine", 1},      {"end", 1000},
-      {"double", 0}, {"rates", 2},  {"threads", 1}, {"replicate", 0}, {"runs", 40}};
+      {"double", 0}, {"history", 0}, {"rates", 2},  {"threads", 1}, {"replicate", 0}, {"runs", 40}};
   std::map<std::string, double> values_;
 };
 
@@ -65,6 +65,7 @@ Problem problem_of(const Options& option) {
   p.fine_width = option("fine");
   p.end_time = option("end");
   p.rates = static_cast<int>(option("rates"));
+  p.history_samples = static_cast<int>(option("history"));
   p.arithmetic = option("double") != 0 ? Arithmetic::double_precision : Arithmetic::single_precision;
   p.speed_factor = replicate_speed_factor(static_cast<int>(option("replicate")));
   return p;

@@ -122,6 +122,35 @@ TEST_F(CampaignTest, AHistoryIsRunThoughTheStoreHasTheProblem) {
   EXPECT_EQ(store->size(), 1);
 }
 
+TEST_F(CampaignTest, AChannelThatTheStoreLacksIsRunOnceAndKept) {
+  Campaign campaign(store.get(), 1);
+  campaign.evaluate(quick());
+  Problem with_channel = quick();
+  with_channel.channel = true;
+  EXPECT_FALSE(campaign.evaluate(with_channel).reused);
+  const Evaluation found = campaign.evaluate(with_channel);
+  EXPECT_TRUE(found.reused);
+  EXPECT_FALSE(found.result.channel.largest.empty());
+  EXPECT_TRUE(campaign.evaluate(quick()).reused);
+  EXPECT_EQ(store->size(), 1);
+}
+
+TEST_F(CampaignTest, ARunToRestIsKeptApart) {
+  Campaign campaign(store.get(), 1);
+  Problem thin = quick();
+  thin.depth = 2;
+  thin.end_time = 100;
+  const Evaluation deepest = campaign.evaluate(thin);
+  thin.until = RunUntil::rest;
+  EXPECT_FALSE(campaign.evaluate(thin).reused);
+  const Evaluation rest = campaign.evaluate(thin);
+  EXPECT_TRUE(rest.reused);
+  EXPECT_EQ(rest.result.depth, deepest.result.depth);
+  ASSERT_TRUE(rest.result.aftermath);
+  EXPECT_EQ(rest.result.aftermath->ending, Ending::passed_through);
+  EXPECT_EQ(store->size(), 2);
+}
+
 TEST_F(CampaignTest, TheSameProblemTwiceInABatchIsRunOnce) {
   Campaign campaign(store.get(), 2);
   const auto results = campaign.evaluate({quick(2), quick(3), quick(2), quick(2)}, nullptr);
@@ -137,6 +166,13 @@ TEST(Campaign, ATwinWithoutAHistoryDoesNotTakeTheOthersAway) {
   Campaign campaign(nullptr, 1);
   const auto results = campaign.evaluate({quick(), with_history}, nullptr);
   EXPECT_FALSE(results[1].result.history.empty());
+}
+
+TEST(Campaign, ATwinWithoutAChannelDoesNotTakeTheOthersAway) {
+  Problem with_channel = quick();
+  with_channel.channel = true;
+  Campaign campaign(nullptr, 1);
+  EXPECT_FALSE(campaign.evaluate({quick(), with_channel}, nullptr)[1].result.channel.largest.empty());
 }
 
 TEST(Campaign, ResultsComeInTheOrderOfTheProblemsWithTheSameBitsOnAnyNumberOfThreads) {

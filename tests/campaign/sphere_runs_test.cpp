@@ -139,6 +139,12 @@ TEST(SettingOf, TwoSystemsOnTwoMeshesShareOne) {
   EXPECT_EQ(setting_of(other), setting_of(shorter));
 }
 
+TEST(SettingOf, ARunThatGoesOnToRestTellsTheSameDepth) {
+  Problem on = quick_shot();
+  on.until = RunUntil::rest;
+  EXPECT_EQ(setting_of(on), setting_of(quick_shot()));
+}
+
 TEST(SettingOf, WhatTheEmulatorDoesNotKnowTellsThemApart) {
   const auto differs = [](auto change) {
     Problem p = quick_shot();

@@ -75,6 +75,41 @@ TEST(GeneralSolid, WithPlainSettingsGivesTheForcesOfTheUniformSolid) {
   meets_the_plain_kernel<float>(2e-6);
 }
 
+// Column by column in lanes against element by element and node by node.
+template <class Real>
+void holds_what_its_elements_hold() {
+  Problem p = specimen_problem();
+  p.geometry = Geometry::axisymmetric;
+  Specimen<Real> specimen(p);
+  Block<Real>& block = specimen.block;
+  displace_at_random(block, 0.03);
+  const int columns = block.mesh().columns(), rows = block.mesh().rows;
+  for (int j = 5; j < 20; ++j)
+    for (int i = 0; i < 3; ++i) block.take_out(i, j, false);
+  EnergyLedger sum;
+  for (int i = 0; i <= columns; ++i)
+    for (int j = 0; j <= rows; ++j) {
+      const long n = block.at(i, j);
+      block.view().v_r[n] = Real(0.1 * i), block.view().v_z[n] = Real(0.01 * j);
+      const double squared = std::pow(double(block.view().v_r[n]), 2) + std::pow(double(block.view().v_z[n]), 2);
+      (block.has_live_element(i, j) ? sum.live_kinetic : sum.freed_mass) += 0.5 * block.mass(i, j) * squared;
+      if (i == columns || j == rows || !(block.view().alive[n] > 0)) continue;
+      const ElementEnergy one = element_energy(block, specimen.solid, i, j, 0);
+      sum.elastic += one.elastic;
+      sum.hourglass += one.hourglass;
+    }
+  const EnergyLedger held = stored_energy(block, specimen.solid, rows);
+  for (const auto share : {&EnergyLedger::live_kinetic, &EnergyLedger::freed_mass, &EnergyLedger::elastic, &EnergyLedger::hourglass}) {
+    EXPECT_GT(sum.*share, 0);
+    EXPECT_NEAR(held.*share / sum.*share, 1, 1e-12);
+  }
+}
+
+TEST(StoredEnergy, OfAPlainSolidIsThatOfItsElementsAndNodes) {
+  holds_what_its_elements_hold<float>();
+  holds_what_its_elements_hold<double>();
+}
+
 constexpr PressureLaw laws[] = {PressureLaw::log_quadratic, PressureLaw::quadratic, PressureLaw::logarithmic};
 
 TEST(VolumetricLaw, PressureAndStiffnessAreDerivativesOfTheEnergyAndKAtRest) {

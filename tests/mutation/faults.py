@@ -60,6 +60,10 @@ FAULTS = [
           "return inside * inside;", "return inside > 0 ? 1.0 : 0.0;", ("impact",)),
     Fault("cards write mu where the program wants 2 mu/alpha", "lib/percal/card/card_material.cpp",
           "case CardModulus::two_mu_over_alpha: return 2 * term.mu / term.alpha;", "case CardModulus::two_mu_over_alpha: return term.mu;", ("card",)),
+    Fault("the speed behind a layer is that of the step's end", "lib/percal/impact/march/layer_speeds.hpp",
+          "before_.speed + share * (now.speed - before_.speed)", "now.speed", ("impact",)),
+    Fault("fragments are taken for the channel's wall", "lib/percal/impact/march/channel_record.hpp",
+          "while (right > 0 && is_alive(right - 1)) --right;", "while (right > 0 && !is_alive(columns - right)) --right; right = columns - right;", ("impact",)),
     Fault("the implied rate factor works the wrong way", "lib/percal/calibrate/verdict.cpp",
           "rate.implied = {rate.given * std::exp(joined.at[factor])", "rate.implied = {rate.given * std::exp(-joined.at[factor])", ("calibrate",)),
 ]

@@ -119,7 +119,8 @@ TEST_F(ImpactJson, HasTheSameKeysWhateverWasFound) {
 }
 
 TEST_F(ImpactPage, TakesNoMissingKeyForANo) {
-  for (const char* key : {"convention", "bulk_was_chosen", "outcome", "accuracy", "history", "findings"}) {
+  for (const char* key : {"convention", "bulk_was_chosen", "outcome", "accuracy", "history", "findings", "layers", "final",
+                          "channel", "sectional_density_kg_m2"}) {
     Json cut = result();
     cut.erase(key);
     try {
@@ -288,6 +289,64 @@ TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {
   EXPECT_EQ(whole.summary, "Not run. An error of 0.1 %: no mesh reaches it");
   EXPECT_THAT(words_of(whole),
               AllOf(HasSubstr("asked for | 0.1 %"), HasSubstr("mu, true | 63.75 MPa"), Not(HasSubstr("depth, mean"))));
+}
+
+// Both runs went on: they rest, or have left.
+void go_on(std::vector<Evaluation>& runs, Ending ending, double depth, double speed) {
+  for (Evaluation& run : runs)
+    run.result.aftermath = {.ending = ending, .depth = depth, .half_width = 0.25, .speed = speed, .energy = {.elastic = 1}};
+}
+
+TEST_F(ImpactPage, SaysWhereTheParticleComesToRest) {
+  go_on(found.runs, Ending::rests, 18.4, 0);
+  EXPECT_THAT(page().summary, HasSubstr("; it comes to rest at 18.4 um ± 250 nm"));
+  EXPECT_THAT(words_of(page()), HasSubstr("final depth | 18.4 um ± 250 nm, half width what it still swings; standard error 0"));
+  EXPECT_EQ(result()["final"]["ending"], "rests");
+  EXPECT_NEAR(result()["runs"][0]["final"]["depth_m"].get<double>(), 18.4e-6, 1e-15);
+}
+
+TEST_F(ImpactPage, SaysHowFastTheParticleIsThrownBack) {
+  go_on(found.runs, Ending::left_upwards, -2, -0.5);
+  EXPECT_THAT(page().summary, HasSubstr("; it leaves upwards with 325.5 m/s"));
+  EXPECT_THAT(words_of(page()), HasSubstr("speed upwards, thrown back | 325.5 m/s"));
+  found.runs.front().result.aftermath->ending = Ending::rests;
+  EXPECT_THAT(page().summary, Not(HasSubstr("leaves")));
+  EXPECT_THAT(words_of(page()), HasSubstr("ended differently (rests, left upwards)"));
+}
+
+TEST_F(ImpactPage, HasTheShotsNumbersAndTheSpeedsBehindLayers) {
+  read(gold_into_skin + "[[below]]\nname = \"fat\"\ndensity = \"900 kg/m3\"\nmu = \"9 MPa\"\nalpha = 8\ndepth = \"5 um\"\n");
+  for (Evaluation& run : found.runs) {
+    run.result.outcome = Outcome::passed_through;
+    run.result.speeds_behind = {0.6, 0.4};
+  }
+  found.runs.back().result.speeds_behind = {0.62, 0.4};
+  const std::string words = words_of(page());
+  for (const char* there :
+       {"impact parameter rho v a | 10.94 kg/(m s)", "sectional density, mass over area | 22.4 g/m2",
+        "speed behind skin | 397.1 m/s, standard error 6.5 m/s", "speed behind fat | 260.4 m/s", "left with 260.4 m/s"})
+    EXPECT_THAT(words, HasSubstr(there));
+  const Json layer = result()["layers"][1];
+  EXPECT_EQ(layer["name"], "fat");
+  EXPECT_NEAR(layer["lower_face_m"].get<double>(), 80e-6, 1e-15);
+  EXPECT_NEAR(result()["exit_speed_m_s"].get<double>(), 260.4, 1e-9);
+}
+
+TEST_F(ImpactPage, DrawsTheChannelAndTheParticle) {
+  EXPECT_EQ(section_of(page(), "channel"), nullptr) << "nobody asked";
+  for (Evaluation& run : found.runs) run.result.channel = {std::vector<double>(10, 1.03), std::vector<double>(10, 0.5)};
+  const page::Page whole = page();
+  const page::Figure* figure = figure_of(whole, "channel");
+  ASSERT_NE(figure, nullptr);
+  EXPECT_TRUE(figure->chart.equal_scales);
+  const Series* widest = series_of(*figure, "channel at its widest");
+  ASSERT_NE(widest, nullptr);
+  EXPECT_NEAR(widest->y.front(), 1.03, 1e-9);
+  EXPECT_NEAR(widest->x.back(), 0.95 * 27.5, 1e-9);
+  const Series* particle = series_of(*figure, "particle, deepest");
+  ASSERT_NE(particle, nullptr);
+  EXPECT_EQ(particle->x.size(), 73u);
+  EXPECT_THAT(words_of(*section_of(whole, "channel")), HasSubstr("5 % | 1.375 um | 1.03 um | 0"));
 }
 
 TEST_F(ImpactPage, AParticleThatPassedThroughHasALowerBound) {

@@ -69,6 +69,52 @@ TEST(Payload, ComesBackToTheLastBit) {
   EXPECT_TRUE(after.reused);
 }
 
+TEST(Payload, FieldMeasuresComeBackToTheLastBit) {
+  Evaluation before = awkward();
+  before.result.speeds_behind = {1 / 3.0, 1 / 7.0};
+  before.result.channel = {.largest = {1 / 11.0, 0}, .end = {1 / 13.0, std::numeric_limits<double>::quiet_NaN()}};
+  before.result.aftermath = {.ending = Ending::time_up,
+                             .reason = "the time step collapsed",
+                             .depth = 1 / 17.0,
+                             .half_width = 1 / 19.0,
+                             .time = 1 / 23.0,
+                             .speed = -1 / 29.0,
+                             .eroded = 12,
+                             .energy = {.particle = 1 / 31.0, .eroded = 1 / 37.0}};
+  const ImpactResult a = before.result, b = from_payload(to_payload(before)).result;
+  EXPECT_EQ(a.speeds_behind, b.speeds_behind);
+  EXPECT_EQ(a.channel.largest, b.channel.largest);
+  EXPECT_EQ(a.channel.end[0], b.channel.end[0]);
+  EXPECT_TRUE(std::isnan(b.channel.end[1]));
+  ASSERT_TRUE(b.aftermath);
+  EXPECT_EQ(a.aftermath->ending, b.aftermath->ending);
+  EXPECT_EQ(a.aftermath->reason, b.aftermath->reason);
+  EXPECT_EQ(a.aftermath->eroded, b.aftermath->eroded);
+  for (double Aftermath::*number : {&Aftermath::depth, &Aftermath::half_width, &Aftermath::time, &Aftermath::speed})
+    EXPECT_EQ((*a.aftermath).*number, (*b.aftermath).*number);
+  for (const auto& [key, share, words] : energy_terms)
+    EXPECT_EQ(a.aftermath->energy.*share, b.aftermath->energy.*share) << key;
+}
+
+TEST(Payload, ARunThatKnowsLessThanIsAskedForIsRunAgain) {
+  Problem one_layer, layered;
+  one_layer.depth = 30;
+  layered.depth = 10;
+  layered.below = {LowerLayer{.depth = 15}, LowerLayer{.depth = 15}};
+  ImpactResult run;
+  run.depth = 27.5;
+  EXPECT_FALSE(lacks_something(run, one_layer));
+  EXPECT_TRUE(lacks_something(run, layered));
+  run.speeds_behind = {0.5};
+  EXPECT_TRUE(lacks_something(run, layered)) << "it crossed two faces";
+  run.speeds_behind = {0.5, 0.2};
+  EXPECT_FALSE(lacks_something(run, layered));
+  one_layer.channel = true;
+  EXPECT_TRUE(lacks_something(run, one_layer));
+  run.channel.largest.resize(channel_shares.size());
+  EXPECT_FALSE(lacks_something(run, one_layer));
+}
+
 // Stores of users live on: these keys, in this form.
 TEST(Payload, HasTheFormatOfEarlierStores) {
   Evaluation run;

@@ -31,6 +31,13 @@ Chart chart_of(const std::vector<Series>& all) {
   return chart;
 }
 
+TEST(PlotOf, APictureHasEqualScales) {
+  Chart chart = chart_of({series("wall", Mark::line, {1, 2}, {3, 4})});
+  EXPECT_THAT(plot_of("channel", chart).script, Not(HasSubstr("set size ratio")));
+  chart.equal_scales = true;
+  EXPECT_THAT(plot_of("channel", chart).script, HasSubstr("set size ratio -1\n"));
+}
+
 TEST(PlotOf, TheCsvHasEveryPointOfEverySeriesUnderTheAxesLabels) {
   Series bars = series("measured", Mark::points_with_bars, {1, 2}, {10, 20});
   bars.low = {9, 18};

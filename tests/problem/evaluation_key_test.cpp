@@ -47,6 +47,7 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
       {"geometry", [](Problem& p) { p.geometry = Geometry::plane_strain; }},
       {"whole", [](Problem& p) { p.geometry = Geometry::plane_strain, p.whole = true; }},
       {"rates", [](Problem& p) { p.rates = 1; }},
+      {"until rest", [](Problem& p) { p.until = RunUntil::rest; }},
       {"hourglass form", [](Problem& p) { p.hourglass_form = HourglassForm::viscosity; }},
       {"volumetric law 1", [](Problem& p) { p.volumetric_law = VolumetricLaw::quadratic; }},
       {"volumetric law 2", [](Problem& p) { p.volumetric_law = VolumetricLaw::logarithmic; }},
@@ -142,14 +143,15 @@ TEST(EvaluationKey, EveryNumberThatDecidesTheResultChangesIt) {
   EXPECT_NE(evaluation_key(plainest(), "other level"), key(plainest()));
 }
 
-TEST(EvaluationKey, AHistoryDoesNotChangeIt) {
+TEST(EvaluationKey, AHistoryOrAChannelDoesNotChangeIt) {
   Problem problem = plainest();
   problem.history_samples = 400;
+  problem.channel = true;
   EXPECT_EQ(key(problem), key(plainest()));
 }
 
 TEST(EvaluationKey, ThePlainestProblemSaysNothingOfWhatItDoesNotHave) {
-  for (const char* word : {"plane", "whole", "below", "length", "relaxation", "profile", "elastic", "rates"})
+  for (const char* word : {"plane", "whole", "below", "length", "relaxation", "profile", "elastic", "rates", "until"})
     EXPECT_EQ(key(plainest()).find(word), std::string::npos) << word;
 }
 

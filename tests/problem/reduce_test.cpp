@@ -236,10 +236,13 @@ TEST(LeftOut, ErosionAndHistoryAreListedOnlyWhereTheyAreNotAskedFor) {
   EXPECT_THAT(why_left_out(reduce(scene), "history"), HasSubstr("nobody asked"));
   EXPECT_EQ(reduce(scene).problem.history_samples, 0);
   scene.target.erosion = NoErosion{};
-  scene.output.history = true;
+  EXPECT_THAT(why_left_out(reduce(scene), "what follows the deepest point"), HasSubstr("wants the deepest point"));
+  scene.output = {.history = true, .after = RunUntil::rest, .channel = true};
   EXPECT_THAT(why_left_out(reduce(scene), "erosion"), HasSubstr("gives no limit"));
   EXPECT_THAT(why_left_out(reduce(scene), "history"), IsEmpty());
   EXPECT_GT(reduce(scene).problem.history_samples, 0);
+  EXPECT_EQ(reduce(scene).problem.until, RunUntil::rest);
+  EXPECT_TRUE(reduce(scene).problem.channel);
 }
 
 TEST(Reduce, AContactStiffnessIsToldToHaveNoEffect) {

@@ -48,6 +48,7 @@ TEST(ScalePage, HasGroupsSystemsAndWhatFollows) {
         "pi4 | rho_t v^2 / mu | inertia over target stiffness | 6.64786 | 6.64786 | +0.00 % | agree", "both lack depth",
         "true shear modulus | 63.75 MPa | 481.127 kPa", "2 mu/alpha | 15 MPa | 113.2 kPa",
         "particle radius | 1 um | 1.59 mm", "strain rate | 1e+08 1/s | 8018.63 1/s",
+        "impact parameter rho_p v a | 10.9368 kg/(m s) | 1029.37 kg/(m s)", "sectional density m/(pi a^2) | 22.4 g/m2 | 16.536 kg/m2",
         "true shear modulus | 481.127 kPa | pi4", "[prototype]", "similar.toml"})
     EXPECT_THAT(words, HasSubstr(there));
 }

@@ -73,7 +73,7 @@ TEST(SceneToml, EveryKeyIsRead) {
       "0.7\nmeasure = \"green-lagrange\"\n"
       "[mesh]\nelements_per_radius = 14.25\nfine_width = 2\ngraded_columns = 7\n[solver]\nhourglass = 0.1\n"
       "linear_viscosity = 0\nquadratic_viscosity = 0.5\ntime_step_factor = 1\narithmetic = \"double\"\nend_time = \"3 "
-      "us\"\n[output]\nhistory = true\n",
+      "us\"\n[output]\nhistory = true\nafter = \"rest\"\nchannel = true\n",
       "scene.toml");
   Scene expected;
   expected.source = "scene.toml";
@@ -96,7 +96,7 @@ TEST(SceneToml, EveryKeyIsRead) {
                      .time_step_factor = 1,
                      .arithmetic = Arithmetic::double_precision,
                      .end_time = 3e-6};
-  expected.output = {.history = true};
+  expected.output = {.history = true, .after = RunUntil::rest, .channel = true};
   EXPECT_EQ(scene, expected);
   EXPECT_EQ(parse_scene(with_target("bulk_to_shear = 80"), "x").target.volumetric, VolumetricChoice(BulkToShear{80}));
 }
@@ -149,7 +149,11 @@ TEST(SceneToml, ValuesOutOfRangeAreRefused) {
                            "[solver]\narithmetic = \"half\"",
                            "[solver]\nend_time = \"0 s\"",
                            "[solver]\nend_time = 3",
-                           "[output]\nhistory = 1"}) {
+                           "[output]\nhistory = 1",
+                           "[output]\nafter = \"a while\"",
+                           "[output]\nafter = true",
+                           "[output]\nchannel = \"yes\"",
+                           "[output]\nchanel = true"}) {
     EXPECT_NE(refusal(with_target(line)), "accepted") << line;
   }
   EXPECT_THAT(refusal("replicates = 0\n" + all),
@@ -240,7 +244,7 @@ Scene random_scene(std::mt19937_64& random) {
                   .arithmetic = coin() ? Arithmetic::single_precision : Arithmetic::double_precision,
                   .end_time = {}};
   if (coin()) scene.solver.end_time = number(-60, 60);
-  scene.output.history = coin();
+  scene.output = {.history = coin(), .after = coin() ? RunUntil::rest : RunUntil::deepest, .channel = coin()};
   return scene;
 }
 

@@ -95,6 +95,17 @@ TEST_F(StoreTest, TheFirstRowOfAKeyStays) {
   EXPECT_EQ(store.size(), 1);
 }
 
+TEST_F(StoreTest, ARowThatKnowsMoreTakesItsPlace) {
+  Store store(file);
+  store.put("key", stopped);
+  store.replace("key", {"unstable", "{}", 9});
+  store.replace("new", stopped);
+  EXPECT_EQ(store.find("key")->outcome, "unstable");
+  EXPECT_EQ(store.find("key")->cpu_seconds, 9);
+  EXPECT_EQ(store.find("new")->outcome, "stopped");
+  EXPECT_EQ(store.size(), 2);
+}
+
 TEST_F(StoreTest, RowsWithAPrefixComeInTheOrderOfTheirKeys) {
   Store store(file);
   for (const char* key : {"b", "ab", "a%", "aB", "a", "A", "a\xc3\xb5"}) store.put(key, {"stopped", key, 0.5});

@@ -117,10 +117,12 @@ std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads
                                              const Deadline& deadline) {
   if (stop_wanted_ && stop_wanted_()) throw Interrupted();
   const std::string key = evaluation_key(problem, instruction_level());
+  bool knows_less = false;  // what the store has
   if (store_ && !observer && problem.history_samples == 0) {
     if (const auto stored = store_->find(key)) {
       Evaluation evaluation = read(*stored);
-      if (!lacks_something(evaluation.result, problem)) {
+      knows_less = lacks_something(evaluation.result, problem);
+      if (!knows_less) {
         const std::lock_guard lock(books_->mutex);
         ++books_->cost.reused;
         return evaluation;
@@ -133,7 +135,10 @@ std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads
   }
   StopWatch watch(stop_wanted_, observer);
   Evaluation evaluation = run(problem, threads, stop_wanted_ ? &watch : observer);
-  if (store_) store_->put(key, {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds});
+  if (store_) {
+    const StoredEvaluation row{word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds};
+    knows_less ? store_->replace(key, row) : store_->put(key, row);
+  }
   books_->add(problem, evaluation);
   return evaluation;
 }

@@ -69,7 +69,7 @@ struct HistoryPoint {
 };
 
 // How a run ends that goes on past its deepest point, or past the target's lower face (RunUntil::rest): a value that the caller
-// must look at. docs/theory/impact.md, "After the deepest point".
+// must look at. docs/theory/field_measures.md.
 //   rests           the tip moves no more, but for `half_width`
 //   left_upwards    the particle flies back out, touched by nothing
 //   passed_through  the same below the target; where its bottom is held, the tip has reached it

@@ -83,7 +83,7 @@ inline constexpr double search_radius = 2.2;
 // A node with as little way out as this, squared, between two sides that face each other is left where it is.
 inline constexpr double flattest_way_out = 1e-3;
 
-// --- past the deepest point (docs/theory/impact.md, "After the deepest point") ------------------------------------------
+// --- past the deepest point (docs/theory/field_measures.md) ------------------------------------------
 
 // A tip that has kept within this share of its deepest position over the last half of a run's time is at rest. Smaller: swings that walls
 // send back and nothing damps never end. Larger: a particle that still creeps out of its channel is taken for one at rest.

@@ -1,5 +1,5 @@
 // What a field measures of an impact besides the depth, of all replicates together, in SI.
-// docs/theory/impact.md, "What a field measures"
+// docs/theory/field_measures.md
 #pragma once
 #include <optional>
 #include <string>

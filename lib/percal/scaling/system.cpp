@@ -41,6 +41,16 @@ double required(const System& system, std::optional<double> System::*member) {
   throw BadInput(title(system) + ": the " + quantity.words + " (" + quantity.key + ") is missing");
 }
 
+std::optional<double> impact_parameter(const System& system) {
+  if (!system.particle_density || !system.speed || !system.radius) return std::nullopt;
+  return *system.particle_density * *system.speed * *system.radius;
+}
+
+std::optional<double> sectional_density(const System& system) {
+  if (!system.particle_density || !system.radius) return std::nullopt;
+  return 4.0 / 3 * *system.particle_density * *system.radius;
+}
+
 std::string title(const System& system) { return system.particle + " into " + system.target; }
 
 }  // namespace percal

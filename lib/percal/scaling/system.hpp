@@ -46,6 +46,10 @@ std::string result_key(const SystemQuantity& quantity);
 // The number, or BadInput that names the system and what it lacks.
 double required(const System& system, std::optional<double> System::*member);
 
+// Of a sphere: rho_p v a, kg/(m s), and m/(pi a^2) = 4/3 rho_p a, kg/m2. nullopt where a number is missing.
+std::optional<double> impact_parameter(const System& system);
+std::optional<double> sectional_density(const System& system);
+
 // "steel into gelatin"
 std::string title(const System& system);
 

@@ -46,9 +46,19 @@ struct FinalizeStatement {
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 using Statement = std::unique_ptr<sqlite3_stmt, FinalizeStatement>;
 
+// Leaves a statement ready for its next use, whatever happens.
+struct Reset {
+  explicit Reset(const Statement& statement) : statement(statement) {}
+  ~Reset() {
+    sqlite3_reset(statement.get());
+    sqlite3_clear_bindings(statement.get());
+  }
+  const Statement& statement;
+};
+
 }  // namespace sqlite
 
-using sqlite::Database, sqlite::Statement;
+using sqlite::Database, sqlite::Reset, sqlite::Statement;
 
 // One connection, used under the mutex.
 struct Store::Connection {
@@ -57,7 +67,7 @@ struct Store::Connection {
   std::string file;                 // what is opened
   mutable std::mutex mutex;
   Database database;
-  Statement select, select_from, insert, count, select_note, insert_note;
+  Statement select, select_from, insert, replace, count, select_note, insert_note;
 
   [[noreturn]] void fail_to_read() const {
     const int result = sqlite3_errcode(database.get());
@@ -161,15 +171,29 @@ struct Store::Connection {
 
   void prepare_statements() {
     select = prepare("SELECT outcome, payload, cpu_seconds FROM evaluations WHERE key = ?1");
-    insert = prepare(
+    const std::string insert_or =
         "INSERT INTO evaluations (key, outcome, payload, cpu_seconds, created)"
-        " VALUES (?1, ?2, ?3, ?4, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) ON CONFLICT (key) DO NOTHING");
+        " VALUES (?1, ?2, ?3, ?4, strftime('%Y-%m-%dT%H:%M:%SZ', 'now')) ON CONFLICT (key) DO ";
+    insert = prepare((insert_or + "NOTHING").c_str());
+    replace = prepare((insert_or + "UPDATE SET outcome = excluded.outcome, payload = excluded.payload,"
+                                   " cpu_seconds = excluded.cpu_seconds, created = excluded.created")
+                          .c_str());
     select_from = prepare(
         "SELECT outcome, payload, cpu_seconds, key FROM evaluations WHERE key >= ?1 AND substr(key, 1, length(?1)) = ?1"
         " ORDER BY key");
     count = prepare("SELECT count(*) FROM evaluations");
     select_note = prepare("SELECT text FROM notes WHERE name = ?1");
     insert_note = prepare("INSERT INTO notes (name, text) VALUES (?1, ?2) ON CONFLICT (name) DO NOTHING");
+  }
+
+  // One statement is one transaction: it takes the write lock, waiting for it, and is synced to the disk before step returns.
+  void write(const Statement& statement, const std::string& key, const StoredEvaluation& evaluation) const {
+    const Reset reset(statement);
+    bind(statement, 1, key);
+    bind(statement, 2, evaluation.outcome);
+    bind(statement, 3, evaluation.payload);
+    sqlite3_bind_double(statement.get(), 4, evaluation.cpu_seconds);
+    if (sqlite3_step(statement.get()) != SQLITE_DONE) fail("cannot write to the store");
   }
 
   void bind(const Statement& statement, int index, const std::string& text) const {
@@ -181,16 +205,6 @@ struct Store::Connection {
 };
 
 namespace {
-
-// Leaves a statement ready for its next use, whatever happens.
-struct Reset {
-  explicit Reset(const Statement& statement) : statement(statement) {}
-  ~Reset() {
-    sqlite3_reset(statement.get());
-    sqlite3_clear_bindings(statement.get());
-  }
-  const Statement& statement;
-};
 
 std::string text_at(const Statement& statement, int column) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement.get(), column));
@@ -268,17 +282,14 @@ std::vector<KeyedEvaluation> Store::with_prefix(const std::string& prefix) const
   return found;
 }
 
-// One statement is one transaction: it takes the write lock, waiting for it, and is synced to the disk before step
-// returns.
 void Store::put(const std::string& key, const StoredEvaluation& evaluation) {
   const std::lock_guard lock(connection_->mutex);
-  const auto& insert = connection_->insert;
-  const Reset reset(insert);
-  connection_->bind(insert, 1, key);
-  connection_->bind(insert, 2, evaluation.outcome);
-  connection_->bind(insert, 3, evaluation.payload);
-  sqlite3_bind_double(insert.get(), 4, evaluation.cpu_seconds);
-  if (sqlite3_step(insert.get()) != SQLITE_DONE) connection_->fail("cannot write to the store");
+  connection_->write(connection_->insert, key, evaluation);
+}
+
+void Store::replace(const std::string& key, const StoredEvaluation& evaluation) {
+  const std::lock_guard lock(connection_->mutex);
+  connection_->write(connection_->replace, key, evaluation);
 }
 
 long Store::size() const {

@@ -37,6 +37,8 @@ class Store {
   std::optional<StoredEvaluation> find(const std::string& key) const;
   // Durable when it returns. An existing row with this key stays as it is. Throws IoFailure (disk full).
   void put(const std::string& key, const StoredEvaluation& evaluation);
+  // The same in place of what is there: an evaluation that knows more.
+  void replace(const std::string& key, const StoredEvaluation& evaluation);
   // Those whose key begins with `prefix`, in the order of the keys' bytes.
   std::vector<KeyedEvaluation> with_prefix(const std::string& prefix) const;
   long size() const;

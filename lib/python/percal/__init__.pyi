@@ -116,6 +116,12 @@ class Impact:
     depth_error: dict[str, Any] | None
     at_least: float | None
     depths: _Array
+    speeds_behind: list[tuple[str, float | None]]
+    exit_speed: float | None
+    final: dict[str, Any] | None
+    channel: dict[str, _Array] | None
+    impact_parameter: float
+    sectional_density: float
     energy: dict[str, float]
     mu: float
     left_out: list[str]

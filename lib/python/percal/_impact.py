@@ -77,7 +77,10 @@ class Impact(Paged):
 
     outcome: stopped, passed through, time up or unstable; depth: mean of the runs, None unless all stopped; spread: sample standard
     deviation of a run; standard_error: of the mean; depth_error: the 95 % half width and its sources, None without a depth; at_least: a layer's depth that a run passed through; depths: of each run;
-    energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N", "energy_..."} of the middle run, in
+    speeds_behind: [(layer, m/s or None)], what is left at each layer's lower face, means of the runs; exit_speed: m/s, None unless all
+    passed through; final: where and how the particle ended, None unless the scene has output.after = "rest"; channel: {"depth_m",
+    "largest_radius_m", "end_radius_m", ...}, None unless the scene has output.channel; impact_parameter, sectional_density: rho v a and
+    mass over area; energy: shares of the impact energy; history: {"time_s", "tip_m", "speed_m_s", "force_N", "energy_..."} of the middle run, in
     plane strain with "force_N_per_m"; left_out, warnings: lists of sentences; result: percal impact's result.json, as a dict.
     """
 
@@ -90,6 +93,12 @@ class Impact(Paged):
         self.depth_error = result["depth_error"]
         self.at_least = result["depth_at_least_m"]
         self.depths = np.array([run["depth_m"] for run in result["runs"]])
+        self.speeds_behind = [(layer["name"], layer["speed_behind_m_s"]) for layer in result["layers"]]
+        self.exit_speed = result["exit_speed_m_s"]
+        self.final = result["final"]
+        self.channel = _channel(result["channel"])
+        self.impact_parameter = result["impact_parameter_kg_m_s"]
+        self.sectional_density = result["sectional_density_kg_m2"]
         self.energy = result["energy"]
         self.mu = result["mu_true_Pa"]
         self.left_out = [f"{one['what']}: {one['why']}" for one in result["left_out"]]
@@ -114,6 +123,10 @@ class Impact(Paged):
             text += f" +- {with_unit(self.standard_error, 'm', 3)} (standard error of {len(self.depths)} runs)"
         if self.at_least is not None:
             text += f", deeper than {with_unit(self.at_least, 'm')}"
+        if self.exit_speed is not None:
+            text += f", left with {self.exit_speed:.4g} m/s"
+        if self.final and self.final["depth_m"] is not None:
+            text += f", comes to rest at {with_unit(self.final['depth_m'], 'm')} +- {with_unit(self.final['half_width_m'], 'm', 2)}"
         return f"Impact({text})"
 
 
@@ -121,6 +134,10 @@ def _columns(history):
     energy = {f"energy_{term}": shares for term, shares in history["energy"].items()} if history else {}
     columns = {key: values for key, values in (history or {}).items() if key != "energy"} | energy
     return {key: np.array(values, dtype=float) for key, values in columns.items()}
+
+
+def _channel(channel):
+    return channel and {key: np.array(values, dtype=float) for key, values in channel.items() if key != "particle"}
 
 
 def impact(scene, elements_per_radius=None, replicates=None, threads=0, store=None, history=True, measure_errors=False, extrapolate=False):

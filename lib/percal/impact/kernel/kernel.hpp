@@ -180,6 +180,19 @@ struct WeightedSum {
   double weight = 0;
 };
 
+// Of one column of nodes: the mass of node j is column_mass row_density[j], and it has live_elements[j] elements left.
+struct ColumnMasses {
+  double column_mass;
+  const double* row_density;
+  const unsigned char* live_elements;
+};
+struct KineticEnergy {
+  double live = 0, freed = 0;  // of nodes with elements, of nodes without
+};
+struct StoredEnergy {
+  double elastic = 0, hourglass = 0;
+};
+
 template <class Real>
 struct Kernel {
   // Sets the corner forces of column i's elements in these rows; marks the elements that are to be taken out, which give none.
@@ -207,6 +220,10 @@ struct Kernel {
   // one group of lanes behind all arrays is read.
   WeightedSum (*weighted_sum)(const Real* alive, const Real* measure, const Real* per_limit, const Real* weights,
                               int count);
+  // Of the first `nodes` of a column, and of the first `rows` elements of a column of the plain solid; whole groups are looked at.
+  KineticEnergy (*kinetic_energy)(const FieldsView<const Real>&, int column, int nodes, const ColumnMasses&);
+  StoredEnergy (*stored_energy)(const FieldsView<const Real>&, int column, int rows, const ColumnShape&,
+                                const MaterialConstants&);
   int lanes;  // rows are handled in groups of this many; arrays are padded accordingly
 };
 

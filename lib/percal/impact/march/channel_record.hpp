@@ -1,4 +1,4 @@
-// How wide the channel is that erosion has left, row by row.          docs/theory/impact.md, "The channel"
+// How wide the channel is that erosion has left, row by row.          docs/theory/field_measures.md
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The particle's speed when its tip crosses the undeformed lower faces of the layers.     docs/theory/impact.md (26)
+// The particle's speed when its tip crosses the undeformed lower faces of the layers.     docs/theory/field_measures.md (1)
 #pragma once
 #include <vector>
 

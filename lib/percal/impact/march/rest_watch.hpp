@@ -1,5 +1,5 @@
 // When a particle past its deepest point, or past the target, has come to rest or has left.
-// docs/theory/impact.md, "After the deepest point"
+// docs/theory/field_measures.md
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -131,7 +131,7 @@ void Block<Real>::fill(const Problem& problem) {
   std::fill_n(view_.jacobian, entries_, Real(1));
   std::fill_n(view_.erosion_measure, entries_, Real(erosion_kind_of(problem) == ErosionKind::stretch ? 1 : 0));
   column_mass_.assign(columns + 1, 0);
-  row_density_.assign(rows + 1, 0);
+  row_density_.assign(view_.stride, 0);
   for (const LayerRows& layer : layers_)
     for (int j = layer.begin; j < layer.end; ++j)
       for (int q = j; q <= j + 1; ++q) row_density_[q] += 0.5 * layer.density;

@@ -47,6 +47,9 @@ class Block {
   bool is_whole() const { return mesh_.radius.front() < 0; }
   long at(int column, int row) const { return static_cast<long>(column) * view_.stride + row; }
   double mass(int column, int row) const { return column_mass_[column] * row_density_[row]; }
+  ColumnMasses masses(int column) const {
+    return {column_mass_[column], row_density_.data(), live_elements_.data() + at(column, 0)};
+  }
   std::size_t bytes() const { return bytes_; }
 
   // Displacements and velocities of all nodes, to be put back to the last bit.
@@ -73,7 +76,7 @@ class Block {
   std::vector<ColumnShape> shapes_;
   std::vector<LayerRows> layers_;
   std::vector<double> column_mass_;  // of an inner node of each column at density 1
-  std::vector<double> row_density_;  // mean density of the two elements above and below a node; 0 outside
+  std::vector<double> row_density_;  // mean density of the two elements above and below a node; 0 outside and behind
   std::vector<std::uint8_t> live_elements_;
   std::size_t entries_ = 0, bytes_ = 0;
   std::unique_ptr<void, Free> memory_;

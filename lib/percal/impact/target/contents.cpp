@@ -168,21 +168,26 @@ Criterion leading_criterion(const Block<Real>& block, const TargetSolid& solid, 
 template <class Real>
 EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid, int rows) {
   const auto& view = block.view();
-  const auto& mesh = block.mesh();
+  const Kernel<Real>& lanes = kernel<Real>();
+  const int columns = block.mesh().columns();
   EnergyLedger energy;
-  for (int i = 0; i <= mesh.columns(); ++i)
-    for (int j = 0; j <= rows; ++j) {
-      const double vr = view.v_r[block.at(i, j)], vz = view.v_z[block.at(i, j)];
-      const double kinetic = 0.5 * block.mass(i, j) * (vr * vr + vz * vz);
-      (block.has_live_element(i, j) ? energy.live_kinetic : energy.freed_mass) += kinetic;
+  for (int i = 0; i <= columns; ++i) {
+    const KineticEnergy kinetic = lanes.kinetic_energy(view, i, rows + 1, block.masses(i));
+    energy.live_kinetic += kinetic.live;
+    energy.freed_mass += kinetic.freed;
+  }
+  const auto add = [&](const auto& stored) {
+    energy.elastic += stored.elastic;
+    energy.hourglass += stored.hourglass;
+  };
+  for (int i = 0; i < columns; ++i) {
+    if (solid.is_plain()) {
+      add(lanes.stored_energy(view, i, rows, block.shapes()[i], solid.layers.front().material));
+      continue;
     }
-  for (int i = 0; i < mesh.columns(); ++i)
     for (int j = 0; j < rows; ++j)
-      if (view.alive[block.at(i, j)] > 0) {
-        const auto element = element_energy(block, solid, i, j, 0);
-        energy.elastic += element.elastic;
-        energy.hourglass += element.hourglass;
-      }
+      if (view.alive[block.at(i, j)] > 0) add(element_energy(block, solid, i, j, 0));
+  }
   return energy;
 }
 

@@ -181,7 +181,7 @@ Table channel_table(const Json& channel) {
 }  // namespace
 
 std::string final_words(const Json& result) {
-  const Json& final = maybe(result, "final");
+  const Json& final = at(result, "final");
   if (final.is_null() || yes(final, "mixed")) return "";
   if (number(final, "depth_m")) return "; it comes to rest at " + rest_words(final);
   const auto speed = number(final, "speed_m_s");
@@ -190,21 +190,20 @@ std::string final_words(const Json& result) {
 }
 
 std::string exit_words(const Json& result) {
-  const auto speed = number(maybe(result, "exit_speed_m_s"));
+  const auto speed = number(result, "exit_speed_m_s");
   return speed ? ", left with " + speed_words(speed) : "";
 }
 
 std::vector<std::pair<std::string, std::string>> field_rows(const Json& result) {
   std::vector<std::pair<std::string, std::string>> rows;
   rows.emplace_back("impact parameter rho v a",
-                    quantity(number(maybe(result, "impact_parameter_kg_m_s")), dimension::impact_parameter));
+                    quantity(number(result, "impact_parameter_kg_m_s"), dimension::impact_parameter));
   rows.emplace_back("sectional density, mass over area",
-                    quantity(number(maybe(result, "sectional_density_kg_m2")), dimension::sectional_density));
-  if (const Json& layers = maybe(result, "layers"); layers.is_array())
-    for (const Json& layer : layers)
-      rows.emplace_back("speed behind " + text(layer, "name"),
-                        speed_words(number(layer, "speed_behind_m_s"), number(layer, "speed_behind_standard_error_m_s")));
-  const Json& final = maybe(result, "final");
+                    quantity(number(result, "sectional_density_kg_m2"), dimension::sectional_density));
+  for (const Json& layer : list(result, "layers"))
+    rows.emplace_back("speed behind " + text(layer, "name"),
+                      speed_words(number(layer, "speed_behind_m_s"), number(layer, "speed_behind_standard_error_m_s")));
+  const Json& final = at(result, "final");
   if (final.is_null()) return rows;
   if (number(final, "depth_m"))
     rows.emplace_back("final depth",
@@ -218,7 +217,7 @@ std::vector<std::pair<std::string, std::string>> field_rows(const Json& result) 
 
 Section channel_section(const Json& result) {
   Section section{.id = "channel", .title = "The channel", .blocks = {}};
-  const Json& channel = maybe(result, "channel");
+  const Json& channel = at(result, "channel");
   if (channel.is_null()) return section;
   add(section, channel_figure(channel));
   add(section, channel_table(channel));

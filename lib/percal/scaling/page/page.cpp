@@ -105,6 +105,12 @@ Section systems_section(const Json& result) {
     const auto first = number(prototype, result_key(one)), second = number(model, result_key(one));
     if (first || second) table.rows.push_back({one.words, shown_quantity(first, one), shown_quantity(second, one)});
   }
+  const auto row_of = [&](const char* words, const char* key, const Dimension& dimension) {
+    const auto first = number(prototype, key), second = number(model, key);
+    if (first || second) table.rows.push_back({words, quantity(first, dimension, 6), quantity(second, dimension, 6)});
+  };
+  row_of("impact parameter rho_p v a", "impact_parameter_kg_m_s", dimension::impact_parameter);
+  row_of("sectional density m/(pi a^2)", "sectional_density_kg_m2", dimension::sectional_density);
   table.rows.push_back({"2 mu/alpha", mu1(prototype), mu1(model)});
   table.rows.push_back({"the job's convention of mu", text(prototype, "convention"), text(model, "convention")});
   table.notes = {

@@ -16,6 +16,8 @@ Json system_to_json(const System& system, ModulusConvention convention) {
   const bool known = system.mu && (convention == ModulusConvention::true_shear || system.alpha);
   result["mu_as_given_Pa"] =
       known ? Json(modulus_as_given(*system.mu, system.alpha.value_or(1), convention)) : Json(nullptr);
+  result["impact_parameter_kg_m_s"] = finite(impact_parameter(system));
+  result["sectional_density_kg_m2"] = finite(sectional_density(system));
   result["particle_compliance"] = finite(particle_compliance(system));
   return result;
 }
