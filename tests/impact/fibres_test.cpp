@@ -33,7 +33,7 @@ FibreForm closed(double invariant, double change_of_invariant) {
   return {fibres.k1 / (2 * fibres.k2) * (grown - 1), fibres.k1 * E * grown * change_of_invariant};
 }
 
-TEST(Fibres, UniaxialEquibiaxialAndPlanarStatesAreTheFibreForms) {
+TEST(Fibres, UniaxialEquibiaxialAndPlanarStatesAreTheClosedForms) {
   const double k = fibres.kappa, through = 1 - 2 * k;
   for (const double l : {0.7, 0.9, 1.1, 1.4, 1.8}) {
     // Along r: 1/sqrt(l) across. Along z. Equibiaxial in the plane. Planar: r against z, the hoop held.
