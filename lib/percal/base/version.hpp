@@ -7,7 +7,7 @@ namespace percal {
 std::string version();
 
 // Raised whenever the same problem would give other bits; part of every stored evaluation's key.
-inline constexpr int solver_version = 4;
+inline constexpr int solver_version = 5;
 
 // Raised whenever a result file's keys change meaning.
 inline constexpr int result_schema = 2;
