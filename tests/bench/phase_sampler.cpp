@@ -46,7 +46,6 @@ std::string phase_of(const std::string& function) {
   const auto has = [&](const char* name) { return function.find(name) != std::string::npos; };
   if (has("internal_forces")) return "internal forces";
   if (has("nodes_in_") || has("ContactZone") || has("RigidBody")) return "contact";
-  if (has("stored_energy") || has("element_energy") || has("ElasticSolid")) return "ledger";
   if (has("kick_and_drift")) return "motion";
   return "rest";
 }

@@ -40,14 +40,14 @@ constexpr double scatter = 0.05;  // of a depth from level to level, by what ero
 using Bits = std::vector<std::string>;
 const std::map<std::string, Bits> pinned_bits{
     {"x86_64_v2",
-     {"8a83365bd16cab42", "d1a01fc2f49b95e0", "fd322d377f3229c9", "2fd890d42dc23fa3", "7adac875b688f2ca",
-      "99ebdc2efb233b4b", "e6ea7d0031f63cf9"}},
+     {"e9d8243e50ae3cd4", "ddd74fd555539e03", "e234b979dcbd9805", "d006ae8126df0606", "d5c4240a288a533f",
+      "7d38fe8dee815acb", "d1bfe92f42678b72"}},
     {"x86_64_v3",
-     {"3c0e39ee2c0a0211", "118ced22555e8287", "5179dfba545a1e85", "a062ff01233289ed", "25937ab31ad90b13",
-      "47bd9d66b02f4850", "439ceae703015a3c"}},
+     {"df283a9c6706aa8b", "1b523c871618a0d2", "3a1e7a06aee333aa", "b3f0623b831e60a9", "7a70581c34d1b446",
+      "d3a4f180424b3786", "a4fde2607f98565a"}},
     {"x86_64_v4",
-     {"f6d43d80911b7666", "5e1325999d149816", "1209ce1a8a7893c8", "f21c5f9ba0282599", "9b4d884f8443eca1",
-      "022b94cbb77de263", "3f57856f616cb8d6"}},
+     {"850eb72640defa90", "0000dae709f0c5da", "49cc792f148958f4", "055fb7f870f271d5", "597b30b79175bcdf",
+      "8c07a86d5feb1df5", "ac88895fa30870de"}},
 };
 
 struct PinnedRun {

@@ -25,33 +25,7 @@ class ColumnWalk {
   PERCAL_INLINE ColumnWalk(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column,
                            const ColumnShape& shape, double previous_step, const StiffnessWatch& watch,
                            ColumnReport& report)
-      : solid_(solid),
-        watch_(watch),
-        report_(report),
-        fr0_(forces.inner_r),
-        fz0_(forces.inner_z),
-        fr1_(forces.outer_r),
-        fz1_(forces.outer_z),
-        first_(forces.first),
-        volume_(shape.thickness * shape.width * shape.height),
-        half_per_width_(Real(0.5 / shape.width)),
-        half_per_height_(Real(0.5 / shape.height)),
-        quarter_per_radius_(Real(0.25 * shape.per_radius)),
-        to_r_(Real(volume_ * 0.5 / shape.width)),
-        to_z_(Real(volume_ * 0.5 / shape.height)),
-        to_hoop_(Real(shape.per_radius > 0 ? 0.25 * shape.width * shape.height : 0)),
-        length_(Real(__builtin_sqrt(shape.width * shape.height))),
-        per_{.width2 = Real(1 / (shape.width * shape.width)),
-             .height2 = Real(1 / (shape.height * shape.height)),
-             .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)},
-        again_(!(previous_step > 0)),
-        per_step_(again_ ? Real(0) : Real(1 / previous_step)),
-        watched_(Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number)) {
-    const long inner = static_cast<long>(column) * fields.stride, outer = inner + fields.stride;
-    ur0_ = fields.u_r + inner, ur1_ = fields.u_r + outer, uz0_ = fields.u_z + inner, uz1_ = fields.u_z + outer;
-    jacobian_ = fields.jacobian + inner, viscous_ = fields.viscous_pressure + inner;
-    measure_ = fields.erosion_measure + inner, alive_ = fields.alive + inner;
-  }
+      : ColumnWalk(solid, fields, forces, column, shape, 1 / shape.width, 1 / shape.height, previous_step, watch, report) {}
 
   PERCAL_INLINE void over(Rows rows) {
     for (int j = rows.begin; j < rows.end;) {
@@ -80,6 +54,37 @@ class ColumnWalk {
   }
 
  private:
+  PERCAL_INLINE ColumnWalk(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column,
+                           const ColumnShape& shape, double per_width, double per_height, double previous_step,
+                           const StiffnessWatch& watch, ColumnReport& report)
+      : solid_(solid),
+        watch_(watch),
+        report_(report),
+        fr0_(forces.inner_r),
+        fz0_(forces.inner_z),
+        fr1_(forces.outer_r),
+        fz1_(forces.outer_z),
+        first_(forces.first),
+        volume_(shape.thickness * shape.width * shape.height),
+        half_per_width_(Real(0.5 * per_width)),
+        half_per_height_(Real(0.5 * per_height)),
+        quarter_per_radius_(Real(0.25 * shape.per_radius)),
+        to_r_(Real(volume_ * 0.5 * per_width)),
+        to_z_(Real(volume_ * 0.5 * per_height)),
+        to_hoop_(Real(shape.per_radius > 0 ? 0.25 * shape.width * shape.height : 0)),
+        length_(Real(__builtin_sqrt(shape.width * shape.height))),
+        per_{.width2 = Real(per_width * per_width),
+             .height2 = Real(per_height * per_height),
+             .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)},
+        again_(!(previous_step > 0)),
+        per_step_(again_ ? Real(0) : Real(1 / previous_step)),
+        watched_(Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number)) {
+    const long inner = static_cast<long>(column) * fields.stride, outer = inner + fields.stride;
+    ur0_ = fields.u_r + inner, ur1_ = fields.u_r + outer, uz0_ = fields.u_z + inner, uz1_ = fields.u_z + outer;
+    jacobian_ = fields.jacobian + inner, viscous_ = fields.viscous_pressure + inner;
+    measure_ = fields.erosion_measure + inner, alive_ = fields.alive + inner;
+  }
+
   PERCAL_INLINE bool is_live(int j) const { return any(load<Vector>(alive_ + j) > Real(0)); }
 
   // V: a vector, or two of them side by side.

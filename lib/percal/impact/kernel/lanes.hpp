@@ -183,29 +183,41 @@ PERCAL_INLINE bool any(M mask) {
 #endif
 }
 
-// The sum and the extremes over the lanes: neighbours first, then neighbours of these.
-template <class V, class Take>
-PERCAL_INLINE auto over_lanes(V v, Take take) {
+// Lane l takes what lane l + by has.
+template <int by, class V>
+PERCAL_INLINE V rotated(V v) {
   constexpr int count = Lane<V>::count;
-  decltype(take(v[0], v[0])) x[count];
-  for (int l = 0; l < count; ++l) x[l] = v[l];
-#pragma GCC unroll 4
-  for (int apart = 1; apart < count; apart *= 2)
+#if defined(__clang__)
+  V turned{};
+  for (int l = 0; l < count; ++l) turned[l] = v[(l + by) % count];
+  return turned;
+#else
+  BitsOf<V> from{};
 #pragma GCC unroll 16
-    for (int l = 0; l < count; l += 2 * apart) x[l] = take(x[l], x[l + apart]);
-  return x[0];
+  for (int l = 0; l < count; ++l) from[l] = (l + by) % count;
+  return __builtin_shuffle(v, from);
+#endif
+}
+
+// The sum and the extremes over the lanes: one half with the other, then the halves of that.
+template <class V, class Take, int apart = Lane<V>::count / 2>
+PERCAL_INLINE RealOf<V> over_lanes(V v, Take take) {
+  if constexpr (apart == 0)
+    return v[0];
+  else
+    return over_lanes<V, Take, apart / 2>(take(v, rotated<apart>(v)), take);
 }
 template <class V>
 PERCAL_INLINE double lane_sum(V v) {
-  return over_lanes(v, [](double a, double b) { return a + b; });
+  return static_cast<double>(over_lanes(v, [](V a, V b) { return a + b; }));
 }
 template <class V>
 PERCAL_INLINE RealOf<V> lane_largest(V v) {
-  return over_lanes(v, [](RealOf<V> a, RealOf<V> b) { return b > a ? b : a; });
+  return over_lanes(v, [](V a, V b) { return larger(a, b); });
 }
 template <class V>
 PERCAL_INLINE RealOf<V> lane_smallest(V v) {
-  return over_lanes(v, [](RealOf<V> a, RealOf<V> b) { return b < a ? b : a; });
+  return over_lanes(v, [](V a, V b) { return smaller(a, b); });
 }
 
 // `now` moved up by one lane, the last lane of `before` moving in: what element j-1 gives to node j.

@@ -105,6 +105,11 @@ PERCAL_INLINE T last_vector(T x) {
   return x;
 }
 
+template <class T>
+PERCAL_INLINE double lane_sum(Pair<T> x) {
+  return lane_sum(x.a) + lane_sum(x.b);
+}
+
 // What a vector gathers from group to group.
 template <class T>
 PERCAL_INLINE void add(T& sum, T x) {
