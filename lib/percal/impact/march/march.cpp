@@ -187,19 +187,11 @@ class March {
     return ending_.has_value();
   }
 
+  // What was put aside, with what came after.
   ImpactResult with_aftermath(ImpactResult deepest) const {
     Ending ending = ending_.value_or(Ending::time_up);
     if (result_.outcome == Outcome::unstable) ending = Ending::unstable;
-    const auto swing = rest_watch_.swing(time_);
-    const bool has_left = ending == Ending::left_upwards || ending == Ending::passed_through;
-    deepest.aftermath = {.ending = ending,
-                         .reason = result_.reason,
-                         .depth = has_left ? particle_.tip() : swing.middle(),
-                         .half_width = has_left ? 0 : swing.width() / 2,
-                         .time = time_,
-                         .speed = particle_.speed(),
-                         .eroded = result_.eroded,
-                         .energy = result_.energy};
+    deepest.aftermath = rest_watch_.aftermath(ending, {time_, particle_.tip(), particle_.top(), particle_.speed()}, result_);
     deepest.steps = result_.steps;
     deepest.element_steps = result_.element_steps;
     deepest.helper_cpu_seconds = result_.helper_cpu_seconds;
@@ -227,7 +219,6 @@ class March {
   }
 
   double stable_step(double inverse_step) const { return limits_.time_step_factor / inverse_step; }
-
   void move_far(double kick, double drift) {
     if (!(drift > 0)) return sweep_.move_far(near_, rows_moving_, kick, drift);
     zone_.open_far(rows_moving_, drift);
@@ -295,7 +286,6 @@ class March {
   }
 
   Moment moment() const { return {time_, particle_.tip(), result_.steps}; }
-
   // Velocities as they stand.
   Frame frame_as_is(bool is_last) const {
     return {moment(), is_last, target_piece(block_, solid_), particle_.piece(problem_)};

@@ -47,6 +47,20 @@ class RestWatch {
     return all;
   }
 
+  // How it ended, at this place; the rest is the run's.
+  Aftermath aftermath(Ending ending, const ParticlePlace& now, const ImpactResult& run) const {
+    const Swing last = swing(now.time);
+    const bool has_left = ending == Ending::left_upwards || ending == Ending::passed_through;
+    return {.ending = ending,
+            .reason = run.reason,
+            .depth = has_left ? now.tip : last.middle(),
+            .half_width = has_left ? 0 : last.width() / 2,
+            .time = now.time,
+            .speed = now.speed,
+            .eroded = run.eroded,
+            .energy = run.energy};
+  }
+
  private:
   std::size_t place_of(double time) const { return static_cast<std::size_t>((time - begin_) / rest_interval); }
 
