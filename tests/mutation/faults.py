@@ -18,7 +18,7 @@ FAULTS = [
     Fault("J^(-1/3) is missing in the isochoric stretch of the hoop", "lib/percal/impact/kernel/element.hpp",
           "const V hoop = F.hoop * F.hoop * s.inverse_jacobian * F.hoop;", "const V hoop = F.hoop * F.hoop * F.hoop;", ("impact",)),
     Fault("the hourglass force has the wrong sign", "lib/percal/impact/kernel/internal_forces.hpp",
-          "(ra - rb) + (rc - rd), (za - zb) + (zc - zd)", "(rb - ra) + (rd - rc), (zb - za) + (zd - zc)", ("impact",)),
+          "solid_.hourglass_force(j, r.hourglass(), z.hourglass())", "solid_.hourglass_force(j, -r.hourglass(), -z.hourglass())", ("impact",)),
     Fault("contact pulls where it should push", "lib/percal/impact/particle/touch.cpp",
           "dot(q) > 0;", "dot(q) < 0;", ("impact",)),
     Fault("a node at the surface takes twice the impulse", "lib/percal/impact/particle/touch.cpp",

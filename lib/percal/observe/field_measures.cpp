@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "percal/math/polygon.hpp"
+
 namespace percal {
 namespace {
 
@@ -107,10 +109,9 @@ std::vector<std::string> warnings(const FieldMeasures& measures, const Runs& rep
 }
 
 std::vector<Point> particle_outline(const ImpactResult& run, const Problem& problem, const Scales& scales) {
-  std::vector<Point> corners;  // from the particle's middle, y upwards
+  Polygon corners;  // from the particle's middle, y upwards
   if (const auto* profile = std::get_if<RigidPolygon>(&problem.particle)) {
-    const double cosine = std::cos(run.turn), sine = std::sin(run.turn);
-    for (const auto& [x, y] : profile->vertices) corners.push_back({cosine * x - sine * y, sine * x + cosine * y});
+    corners = turned(profile->vertices, run.turn);
   } else {
     for (int k = 0; k < outline_corners; ++k) {
       const double angle = 2 * std::numbers::pi * k / outline_corners;

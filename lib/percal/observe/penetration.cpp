@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/math/statistics.hpp"
+
 namespace percal {
 
 EnergyLedger mean_energy(const std::vector<EnergyLedger>& energies) {
@@ -16,14 +18,9 @@ EnergyLedger mean_energy(const std::vector<EnergyLedger>& energies) {
 
 MeanOfRuns mean_of_runs(const std::vector<double>& values) {
   if (values.empty()) return {};
-  const auto n = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  const double mean = sum / n;
-  if (values.size() < 2) return {.mean = mean};
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  const double spread = std::sqrt(squares / (n - 1));
-  return {mean, spread, spread / std::sqrt(n)};
+  if (values.size() < 2) return {.mean = values.front()};
+  const double spread = sample_deviation(values);
+  return {mean(values), spread, spread / std::sqrt(static_cast<double>(values.size()))};
 }
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales) {

@@ -1,5 +1,6 @@
 #include "percal/observe/stored_run.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -120,24 +121,24 @@ void take_what_is_there(const Json& json, ImpactResult& r) {
 std::string to_payload(const Evaluation& evaluation) {
   const ImpactResult& r = evaluation.result;
   Members members{{"outcome", value_text(word(r.outcome))},
-                      {"reason", value_text(r.reason)},
-                      {"depth", value_text(finite(r.depth))},
-                      {"end_time", value_text(finite(r.end_time))},
-                      {"end_speed", value_text(finite(r.end_speed))},
-                      {"sideways", value_text(finite(r.sideways))},
-                      {"turn", value_text(finite(r.turn))},
-                      {"target_momentum", value_text(finite(r.target_momentum))},
-                      {"elements", value_text(r.elements)},
-                      {"steps", value_text(r.steps)},
-                      {"element_steps", value_text(r.element_steps)},
-                      {"eroded", value_text(r.eroded)},
-                      {"distorted", value_text(r.distorted)},
-                      {"smallest_jacobian", value_text(finite(r.smallest_jacobian))},
-                      {"smallest_step", value_text(finite(r.smallest_step))},
-                      {"energy", energy_text(r.energy)},
-                      {"level", value_text(evaluation.instruction_level)},
-                      {"wall_s", value_text(evaluation.wall_seconds)},
-                      {"cpu_s", value_text(evaluation.cpu_seconds)}};
+                  {"reason", value_text(r.reason)},
+                  {"depth", value_text(finite(r.depth))},
+                  {"end_time", value_text(finite(r.end_time))},
+                  {"end_speed", value_text(finite(r.end_speed))},
+                  {"sideways", value_text(finite(r.sideways))},
+                  {"turn", value_text(finite(r.turn))},
+                  {"target_momentum", value_text(finite(r.target_momentum))},
+                  {"elements", value_text(r.elements)},
+                  {"steps", value_text(r.steps)},
+                  {"element_steps", value_text(r.element_steps)},
+                  {"eroded", value_text(r.eroded)},
+                  {"distorted", value_text(r.distorted)},
+                  {"smallest_jacobian", value_text(finite(r.smallest_jacobian))},
+                  {"smallest_step", value_text(finite(r.smallest_step))},
+                  {"energy", energy_text(r.energy)},
+                  {"level", value_text(evaluation.instruction_level)},
+                  {"wall_s", value_text(evaluation.wall_seconds)},
+                  {"cpu_s", value_text(evaluation.cpu_seconds)}};
   add_what_is_there(members, r);
   return object_text(members);
 }
@@ -175,12 +176,8 @@ Evaluation from_payload(const std::string& payload) {
 }
 
 bool lacks_something(const ImpactResult& result, const Problem& problem) {
-  std::size_t crossed = 0;
-  double face = problem.depth;
-  if (result.depth >= face) ++crossed;
-  for (const LowerLayer& layer : problem.below)
-    if (result.depth >= (face += layer.depth)) ++crossed;
-  return result.speeds_behind.size() < crossed || (problem.channel && result.channel.largest.empty());
+  const auto crossed = std::ranges::count_if(problem.lower_faces(), [&](double face) { return result.depth >= face; });
+  return std::ssize(result.speeds_behind) < crossed || (problem.channel && result.channel.largest.empty());
 }
 
 }  // namespace percal

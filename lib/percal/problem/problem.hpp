@@ -55,6 +55,7 @@ struct Problem {
   double mu() const { return 1 / pi4; }
   double bulk() const { return bulk_ratio / pi4; }
   double whole_depth() const;  // of all layers
+  std::vector<double> lower_faces() const;  // their depths, undeformed
 };
 
 // The rates that a run takes: one where nothing erodes. Elements are then squeezed without end, and two rates do not close there;

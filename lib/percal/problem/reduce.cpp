@@ -242,6 +242,12 @@ double Problem::whole_depth() const {
   return sum;
 }
 
+std::vector<double> Problem::lower_faces() const {
+  std::vector<double> faces{depth};
+  for (const LowerLayer& layer : below) faces.push_back(faces.back() + layer.depth);
+  return faces;
+}
+
 double friction_coefficient(const Problem& problem) {
   const auto* coulomb = std::get_if<CoulombFriction>(&problem.friction);
   return coulomb ? coulomb->coefficient : 0;

@@ -14,6 +14,30 @@ struct Gradient {
   V rr, rz, zr, zz, hoop;
 };
 
+// A displacement at an element's corners: inner upper, outer upper, outer lower, inner lower.
+template <class V>
+struct Corners {
+  V a, b, c, d;
+  PERCAL_INLINE V along_width() const { return (c - a) + (b - d); }   // twice what it changes across the element
+  PERCAL_INLINE V along_height() const { return (c - a) - (b - d); }
+  PERCAL_INLINE V sum() const { return (a + c) + (b + d); }
+  PERCAL_INLINE V hourglass() const { return (a - b) + (c - d); }
+};
+
+// Sums and differences over the diagonals give the gradient with few operations.
+template <class V>
+PERCAL_INLINE Gradient<V> gradient_of(const Corners<V>& r, const Corners<V>& z, RealOf<V> half_per_width,
+                                      RealOf<V> half_per_height, RealOf<V> quarter_per_radius) {
+  using Real = RealOf<V>;
+  Gradient<V> F;
+  F.rr = r.along_width() * half_per_width + Real(1);
+  F.rz = r.along_height() * half_per_height;
+  F.zr = z.along_width() * half_per_width;
+  F.zz = z.along_height() * half_per_height + Real(1);
+  F.hoop = larger(r.sum() * quarter_per_radius + Real(1), broadcast<V>(Real(1e-3)));
+  return F;
+}
+
 // Principal stretches and what follows from them. In-plane: C = mean 1 + [half_difference, shear; shear, -half_difference].
 template <class V>
 struct Stretches {
@@ -136,12 +160,22 @@ PERCAL_INLINE V volumetric_energy(PressureLaw law, V J, C bulk) {
   return (Real(0.25) * bulk) * (J * J - Real(1) - Real(2) * natural_log(J));
 }
 
+// Both parts of W; energy_scale as above.
+template <class V, class C>
+PERCAL_INLINE V strain_energy(PressureLaw law, const Stretches<V>& s, const IsochoricPowers<V>& g, C energy_scale, C bulk) {
+  return isochoric_energy(g, energy_scale) + volumetric_energy(law, s.jacobian, bulk);
+}
+
 // First Piola stress from the principal Kirchhoff stresses t_i and a Kirchhoff pressure-like part added to each:
 // P = F S with the in-plane S = mean 1 + (S_1 - S_2)/(2 split) [half_difference, shear; shear, -half_difference].
 template <class V>
 struct Piola {
   V rr, rz, zr, zz, hoop;
 };
+template <class V>
+PERCAL_INLINE Piola<V> operator+(const Piola<V>& a, const Piola<V>& b) {
+  return {a.rr + b.rr, a.rz + b.rz, a.zr + b.zr, a.zz + b.zz, a.hoop + b.hoop};
+}
 template <class V>
 PERCAL_INLINE Piola<V> first_piola(const Gradient<V>& F, const Stretches<V>& s, const PrincipalStress<V>& t,
                                    V volumetric) {
@@ -160,7 +194,7 @@ struct ElasticConstants {
 };
 PERCAL_INLINE double strain_energy(const ElasticConstants& c, const Stretches<double>& s,
                                    const IsochoricPowers<double>& g) {
-  return isochoric_energy(g, 2 * c.mu / (c.alpha * c.alpha)) + volumetric_energy(c.law, s.jacobian, c.bulk);
+  return strain_energy(c.law, s, g, 2 * c.mu / (c.alpha * c.alpha), c.bulk);
 }
 // With a further pressure-like Kirchhoff stress: what viscosity adds.
 PERCAL_INLINE Piola<double> elastic_piola(const ElasticConstants& c, const Gradient<double>& F,

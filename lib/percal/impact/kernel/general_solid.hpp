@@ -155,7 +155,7 @@ class GeneralSolid {
     relaxing_work_ = per_mesh_volume(change.work);
     relaxing_work_if_gone_ = per_mesh_volume(change.work_if_gone);
     const Piola<V> more = pushed(F, change.stress);
-    P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+    P = P + more;
     stiffer_ = larger(largest_principal(kirchhoff(F, more)), V{});
   }
 
@@ -217,14 +217,12 @@ class GeneralSolid {
     return largest_principal(kirchhoff(F, P)) * s.inverse_jacobian + q;
   }
   PERCAL_INLINE V energy(const Stretches<V>& s, const IsochoricPowers<V>& g) const {
-    const V matrix = isochoric_energy(g, constants_.energy_scale) +
-                     volumetric_energy(view_.pressure_law, s.jacobian, constants_.bulk);
+    const V matrix = strain_energy(view_.pressure_law, s, g, constants_.energy_scale, constants_.bulk);
     return view_.has_fibres ? matrix + fibre_energy_ : matrix;
   }
   PERCAL_INLINE void add_fibres(const Gradient<V>& F, const Stretches<V>& s, Piola<V>& P) {
     const auto fibres = fibre_response(F, s, constants_.fibre_k1, constants_.fibre_k2, constants_.fibre_kappa);
-    const Piola<V>& more = fibres.stress;
-    P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+    P = P + fibres.stress;
     fibre_energy_ = fibres.energy;
     fibre_stiffness_ = fibres.stiffness;
   }

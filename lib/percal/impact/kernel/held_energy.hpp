@@ -42,22 +42,14 @@ StoredEnergy stored_energy(const FieldsView<const Real>& fields, int column, int
   for (int j = 0; j < rows; j += DoubleLanes::count) {
     const auto live = in_double(fields.alive + inner + j) > 0.0;
     if (!any(live)) continue;
-    const auto corner = [&](const Real* u, long node) { return in_double(u + node + j); };
-    const V ra = corner(fields.u_r, inner), rb = corner(fields.u_r, outer), rc = corner(fields.u_r, outer + 1),
-            rd = corner(fields.u_r, inner + 1);
-    const V za = corner(fields.u_z, inner), zb = corner(fields.u_z, outer), zc = corner(fields.u_z, outer + 1),
-            zd = corner(fields.u_z, inner + 1);
-    Gradient<V> F;
-    F.rr = ((rc - ra) + (rb - rd)) * half_per_width + 1.0;
-    F.rz = ((rc - ra) - (rb - rd)) * half_per_height;
-    F.zr = ((zc - za) + (zb - zd)) * half_per_width;
-    F.zz = ((zc - za) - (zb - zd)) * half_per_height + 1.0;
-    F.hoop = larger(((ra + rc) + (rb + rd)) * (0.25 * shape.per_radius) + 1.0, broadcast<V>(1e-3));
+    const auto corners = [&](const Real* u) {
+      return Corners<V>{in_double(u + inner + j), in_double(u + outer + j), in_double(u + outer + j + 1), in_double(u + inner + j + 1)};
+    };
+    const Corners<V> r = corners(fields.u_r), z = corners(fields.u_z);
+    const Gradient<V> F = gradient_of(r, z, half_per_width, half_per_height, 0.25 * shape.per_radius);
     const Stretches<V> s = stretches(F);
-    const IsochoricPowers<V> g = isochoric_powers(F, s, material.alpha);
-    const V energy = isochoric_energy(g, energy_scale) +
-                     volumetric_energy(PressureLaw::log_quadratic, s.jacobian, material.bulk);
-    const V mode_r = (ra - rb) + (rc - rd), mode_z = (za - zb) + (zc - zd);
+    const V energy = strain_energy(PressureLaw::log_quadratic, s, isochoric_powers(F, s, material.alpha), energy_scale, material.bulk);
+    const V mode_r = r.hourglass(), mode_z = z.hourglass();
     elastic += select(live, energy, V{});
     hourglass += select(live, mode_r * mode_r + mode_z * mode_z, V{});
   }

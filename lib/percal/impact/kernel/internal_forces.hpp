@@ -25,7 +25,35 @@ class ColumnWalk {
   PERCAL_INLINE ColumnWalk(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column,
                            const ColumnShape& shape, double previous_step, const StiffnessWatch& watch,
                            ColumnReport& report)
-      : ColumnWalk(solid, fields, forces, column, shape, 1 / shape.width, 1 / shape.height, previous_step, watch, report) {}
+      : solid_(solid),
+        watch_(watch),
+        report_(report),
+        fr0_(forces.inner_r),
+        fz0_(forces.inner_z),
+        fr1_(forces.outer_r),
+        fz1_(forces.outer_z),
+        first_(forces.first),
+        per_width_(1 / shape.width),
+        per_height_(1 / shape.height),
+        volume_(shape.thickness * shape.width * shape.height),
+        half_per_width_(Real(0.5 * per_width_)),
+        half_per_height_(Real(0.5 * per_height_)),
+        quarter_per_radius_(Real(0.25 * shape.per_radius)),
+        to_r_(Real(volume_ * 0.5 * per_width_)),
+        to_z_(Real(volume_ * 0.5 * per_height_)),
+        to_hoop_(Real(shape.per_radius > 0 ? 0.25 * shape.width * shape.height : 0)),
+        length_(Real(__builtin_sqrt(shape.width * shape.height))),
+        per_{.width2 = Real(per_width_ * per_width_),
+             .height2 = Real(per_height_ * per_height_),
+             .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)},
+        again_(!(previous_step > 0)),
+        per_step_(again_ ? Real(0) : Real(1 / previous_step)),
+        watched_(Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number)) {
+    const long inner = static_cast<long>(column) * fields.stride, outer = inner + fields.stride;
+    ur0_ = fields.u_r + inner, ur1_ = fields.u_r + outer, uz0_ = fields.u_z + inner, uz1_ = fields.u_z + outer;
+    jacobian_ = fields.jacobian + inner, viscous_ = fields.viscous_pressure + inner;
+    measure_ = fields.erosion_measure + inner, alive_ = fields.alive + inner;
+  }
 
   PERCAL_INLINE void over(Rows rows) {
     for (int j = rows.begin; j < rows.end;) {
@@ -54,37 +82,6 @@ class ColumnWalk {
   }
 
  private:
-  PERCAL_INLINE ColumnWalk(Solid& solid, const FieldsView<Real>& fields, const ColumnForces<Real>& forces, int column,
-                           const ColumnShape& shape, double per_width, double per_height, double previous_step,
-                           const StiffnessWatch& watch, ColumnReport& report)
-      : solid_(solid),
-        watch_(watch),
-        report_(report),
-        fr0_(forces.inner_r),
-        fz0_(forces.inner_z),
-        fr1_(forces.outer_r),
-        fz1_(forces.outer_z),
-        first_(forces.first),
-        volume_(shape.thickness * shape.width * shape.height),
-        half_per_width_(Real(0.5 * per_width)),
-        half_per_height_(Real(0.5 * per_height)),
-        quarter_per_radius_(Real(0.25 * shape.per_radius)),
-        to_r_(Real(volume_ * 0.5 * per_width)),
-        to_z_(Real(volume_ * 0.5 * per_height)),
-        to_hoop_(Real(shape.per_radius > 0 ? 0.25 * shape.width * shape.height : 0)),
-        length_(Real(__builtin_sqrt(shape.width * shape.height))),
-        per_{.width2 = Real(per_width * per_width),
-             .height2 = Real(per_height * per_height),
-             .hoop2 = Real((shape.at_axis ? axis_hoop_share : 1) * shape.per_radius * shape.per_radius / 4)},
-        again_(!(previous_step > 0)),
-        per_step_(again_ ? Real(0) : Real(1 / previous_step)),
-        watched_(Real(watch.inverse_step < largest_number ? watch.inverse_step : largest_number)) {
-    const long inner = static_cast<long>(column) * fields.stride, outer = inner + fields.stride;
-    ur0_ = fields.u_r + inner, ur1_ = fields.u_r + outer, uz0_ = fields.u_z + inner, uz1_ = fields.u_z + outer;
-    jacobian_ = fields.jacobian + inner, viscous_ = fields.viscous_pressure + inner;
-    measure_ = fields.erosion_measure + inner, alive_ = fields.alive + inner;
-  }
-
   PERCAL_INLINE bool is_live(int j) const { return any(load<Vector>(alive_ + j) > Real(0)); }
 
   // V: a vector, or two of them side by side.
@@ -94,18 +91,12 @@ class ColumnWalk {
     const V state = load<V>(alive_ + j);
     auto live = state > Real(0);
     const auto& material = solid_.at(j);
-    // Gather. Sums and differences over the diagonals give gradient and hourglass mode with few operations.
-    const V ra = load<V>(ur0_ + j), rb = load<V>(ur1_ + j), rc = load<V>(ur1_ + j + 1), rd = load<V>(ur0_ + j + 1);
-    const V za = load<V>(uz0_ + j), zb = load<V>(uz1_ + j), zc = load<V>(uz1_ + j + 1), zd = load<V>(uz0_ + j + 1);
-    const V r_ac = rc - ra, r_bd = rb - rd, z_ac = zc - za, z_bd = zb - zd;
-    Gradient<V> F;
-    F.rr = (r_ac + r_bd) * half_per_width_ + Real(1);
-    F.rz = (r_ac - r_bd) * half_per_height_;
-    F.zr = (z_ac + z_bd) * half_per_width_;
-    F.zz = (z_ac - z_bd) * half_per_height_ + Real(1);
-    F.hoop = larger(((ra + rc) + (rb + rd)) * quarter_per_radius_ + Real(1), broadcast<V>(Real(1e-3)));
+    // Gather.
+    const Corners<V> r{load<V>(ur0_ + j), load<V>(ur1_ + j), load<V>(ur1_ + j + 1), load<V>(ur0_ + j + 1)};
+    const Corners<V> z{load<V>(uz0_ + j), load<V>(uz1_ + j), load<V>(uz1_ + j + 1), load<V>(uz0_ + j + 1)};
+    Gradient<V> F = gradient_of(r, z, half_per_width_, half_per_height_, quarter_per_radius_);
     solid_.add_initial_stretch(F);
-    const auto hourglass = solid_.hourglass_force(j, (ra - rb) + (rc - rd), (za - zb) + (zc - zd));
+    const auto hourglass = solid_.hourglass_force(j, r.hourglass(), z.hourglass());
 
     // Compute.
     const Stretches<V> s = stretches(F);
@@ -202,7 +193,7 @@ class ColumnWalk {
   const Real *ur0_, *ur1_, *uz0_, *uz1_;
   Real *fr0_, *fz0_, *fr1_, *fz1_, *jacobian_, *viscous_, *measure_, *alive_;
   const bool first_;
-  const double volume_;
+  const double per_width_, per_height_, volume_;
   const Real half_per_width_, half_per_height_, quarter_per_radius_, to_r_, to_z_, to_hoop_, length_;
   const InverseSides<Real> per_;
   const bool again_;  // nothing has moved: what depends on rates is as it was

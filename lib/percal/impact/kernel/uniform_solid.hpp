@@ -178,8 +178,7 @@ class AveragedSolid : public UniformSolid<Real> {
   template <class V>
   PERCAL_INLINE V erosion_measure(const Gradient<V>&, const Stretches<V>& s, const IsochoricPowers<V>& g,
                                   const Piola<V>&, V) const {
-    return isochoric_energy(g, energy_scale_) +
-           volumetric_energy(PressureLaw::log_quadratic, s.jacobian, this->constants_.bulk);
+    return strain_energy(PressureLaw::log_quadratic, s, g, energy_scale_, this->constants_.bulk);
   }
   template <class V>
   PERCAL_INLINE auto at_limit(int j, V state, V now, V change, bool again, ColumnReport& report) const {

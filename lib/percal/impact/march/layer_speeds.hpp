@@ -10,11 +10,7 @@ namespace percal {
 // speed is taken as linear in time, as the tip is within a step.
 class LayerSpeeds {
  public:
-  explicit LayerSpeeds(const Problem& problem) : before_{0, problem.speed_factor} {
-    double face = 0;
-    faces_.push_back(face += problem.depth);
-    for (const LowerLayer& layer : problem.below) faces_.push_back(face += layer.depth);
-  }
+  explicit LayerSpeeds(const Problem& problem) : faces_(problem.lower_faces()), before_{0, problem.speed_factor} {}
 
   // A step of length `drift` has ended at `time`; the particle moved at this speed.
   void moved(double time, double drift, double tip_before, double tip, double speed) {
@@ -44,8 +40,9 @@ class LayerSpeeds {
     before_ = now;
   }
 
-  std::vector<double> faces_, crossed_, speeds_;  // depths, times, speeds
-  std::size_t next_ = 0;                          // face
+  const std::vector<double> faces_;        // depths
+  std::vector<double> crossed_, speeds_;  // times, speeds
+  std::size_t next_ = 0;                  // face
   Sample before_;
 };
 

@@ -34,37 +34,56 @@ struct Column {
   }
 };
 
-// Whoever parts by itself, once the body has slowed down, needs no impulse.
+Vector inverse_mass_of(const RigidBody& body) {
+  return {body.inverse_mass.down, body.inverse_mass.right, body.inverse_mass.spin};
+}
+
 constexpr int most_rounds = 20;
+
+// Impulses some of which follow the body's motion: all at first, and then those that do after it has changed, until these stay the same.
+// add(touch, follows, q, column) adds what a touch says to its column's sum, follows(touch, q) whether it does; q, the change of the
+// body's velocities, is -W (sum per velocity . q + sum at rest).
+struct Settled {
+  Vector q = Vector::Zero();
+  std::vector<char> following;
+};
+template <class Add, class Follows>
+Settled settle(const RigidBody& body, const std::vector<Touch>& touches, ContactColumns among, const Add& add,
+               const Follows& follows) {
+  const Vector W = inverse_mass_of(body);
+  Settled settled{.following = std::vector<char>(touches.size(), 1)};
+  std::vector<Column> columns;
+  bool changed = !touches.empty();
+  for (int round = 0; round < most_rounds && changed; ++round) {
+    columns.assign(among.end - among.begin, {});
+    for (std::size_t k = 0; k < touches.size(); ++k)
+      add(touches[k], static_cast<bool>(settled.following[k]), settled.q, columns[touches[k].column - among.begin]);
+    const Column sum = sum_of_columns(columns, body.whole);
+    settled.q = -(Eigen::Matrix3d::Identity() + W.asDiagonal() * sum.per_velocity).inverse() * (W.asDiagonal() * sum.at_rest);
+    changed = false;
+    for (std::size_t k = 0; k < touches.size(); ++k) {
+      const char now = static_cast<char>(follows(touches[k], settled.q));
+      changed |= now != settled.following[k];
+      settled.following[k] = now;
+    }
+  }
+  return settled;
+}
 
 }  // namespace
 
 // With W the inverse masses, m_k = stiffness_of and J_k the levers: q = -W sum_k J_k p_k, p_k = m_k (rate_k + J_k . q) where
 // positive, else 0.
 double RigidBody::part(std::vector<Touch>& touches, ContactColumns among, BodyMotion& motion) const {
-  const Vector W{inverse_mass.down, inverse_mass.right, inverse_mass.spin};
-  std::vector<char> pushes(touches.size(), 1);
-  std::vector<Column> columns;
-  Vector q = Vector::Zero();
-  bool changed = !touches.empty();
-  for (int round = 0; round < most_rounds && changed; ++round) {
-    columns.assign(among.end - among.begin, {});
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-      if (!pushes[k]) continue;
-      const Vector J = lever_of(touches[k], *this);
-      Column& column = columns[touches[k].column - among.begin];
-      column.per_velocity += stiffness_of(touches[k]) * J * J.transpose();
-      column.at_rest += stiffness_of(touches[k]) * touches[k].rate * J;
-    }
-    const Column sum = sum_of_columns(columns, whole);
-    q = -(Eigen::Matrix3d::Identity() + W.asDiagonal() * sum.per_velocity).inverse() * (W.asDiagonal() * sum.at_rest);
-    changed = false;
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-      const bool needed = touches[k].rate + lever_of(touches[k], *this).dot(q) > 0;
-      changed |= needed != static_cast<bool>(pushes[k]);
-      pushes[k] = static_cast<char>(needed);
-    }
-  }
+  // Whoever parts by itself, once the body has slowed down, needs no impulse.
+  const auto add = [&](const Touch& touch, bool pushes, const Vector&, Column& column) {
+    if (!pushes) return;
+    const Vector J = lever_of(touch, *this);
+    column.per_velocity += stiffness_of(touch) * J * J.transpose();
+    column.at_rest += stiffness_of(touch) * touch.rate * J;
+  };
+  const auto needs_impulse = [&](const Touch& touch, const Vector& q) { return touch.rate + lever_of(touch, *this).dot(q) > 0; };
+  const auto [q, pushes] = settle(*this, touches, among, add, needs_impulse);
   const Vector middle = Vector{motion.down, motion.right, motion.spin} + 0.5 * q;
   double lost = 0;
   for (std::size_t k = 0; k < touches.size(); ++k) {
@@ -80,7 +99,7 @@ double RigidBody::part(std::vector<Touch>& touches, ContactColumns among, BodyMo
 // With L_k the levers along the surface and s_k the velocity of the body's surface over the node's: q = -W sum_k L_k j_k, j_k = m_k
 // (s_k + L_k . q) where that is no more than the bound, else the bound with its sign. Who sticks is found as who pushes is in part().
 double RigidBody::rub(std::vector<Touch>& touches, ContactColumns among, double coefficient, BodyMotion& motion) const {
-  const Vector W{inverse_mass.down, inverse_mass.right, inverse_mass.spin}, V{motion.down, motion.right, motion.spin};
+  const Vector V{motion.down, motion.right, motion.spin};
   const auto sliding = [&](const Touch& touch, const Vector& q) {
     return sliding_lever_of(touch, *this).dot(V + q) - touch.along_now;
   };
@@ -91,37 +110,21 @@ double RigidBody::rub(std::vector<Touch>& touches, ContactColumns among, double 
   const auto sticks = [&](const Touch& touch, const Vector& q) {
     return std::abs(touch.mass * sliding(touch, q)) <= coefficient * touch.impulse;
   };
-  std::vector<char> stuck(touches.size(), 1);
-  std::vector<Column> columns;
-  Vector q = Vector::Zero();
-  bool changed = !touches.empty();
-  for (int round = 0; round < most_rounds && changed; ++round) {
-    columns.assign(among.end - among.begin, {});
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-      const Touch& touch = touches[k];
-      if (touch.impulse == 0 || (touch.along_x == 0 && touch.along_z == 0)) continue;
-      const Vector L = sliding_lever_of(touch, *this);
-      Column& column = columns[touch.column - among.begin];
-      if (stuck[k]) column.per_velocity += touch.mass * L * L.transpose();
-      column.at_rest += (stuck[k] ? touch.mass * sliding(touch, Vector::Zero()) : braked(touch, q)) * L;
-    }
-    const Column sum = sum_of_columns(columns, whole);
-    q = -(Eigen::Matrix3d::Identity() + W.asDiagonal() * sum.per_velocity).inverse() * (W.asDiagonal() * sum.at_rest);
-    changed = false;
-    for (std::size_t k = 0; k < touches.size(); ++k) {
-      const bool still = sticks(touches[k], q);
-      changed |= still != static_cast<bool>(stuck[k]);
-      stuck[k] = static_cast<char>(still);
-    }
-  }
+  const auto slides = [](const Touch& touch) { return touch.impulse != 0 && (touch.along_x != 0 || touch.along_z != 0); };
+  const auto add = [&](const Touch& touch, bool stuck, const Vector& q, Column& column) {
+    if (!slides(touch)) return;
+    const Vector L = sliding_lever_of(touch, *this);
+    if (stuck) column.per_velocity += touch.mass * L * L.transpose();
+    column.at_rest += (stuck ? touch.mass * sliding(touch, Vector::Zero()) : braked(touch, q)) * L;
+  };
+  const Vector q = settle(*this, touches, among, add, sticks).q;
   // What the nodes get, and just as much from the body.
-  columns.assign(among.end - among.begin, {});
+  std::vector<Column> columns(among.end - among.begin);
   for (Touch& touch : touches) {
-    const bool slides = touch.impulse != 0 && (touch.along_x != 0 || touch.along_z != 0);
-    touch.rub = slides ? braked(touch, q) : 0;
+    touch.rub = slides(touch) ? braked(touch, q) : 0;
     columns[touch.column - among.begin].at_rest += touch.rub * sliding_lever_of(touch, *this);
   }
-  const Vector change = -(W.asDiagonal() * sum_of_columns(columns, whole).at_rest), middle = V + 0.5 * change;
+  const Vector change = -(inverse_mass_of(*this).asDiagonal() * sum_of_columns(columns, whole).at_rest), middle = V + 0.5 * change;
   double lost = 0;
   for (const Touch& touch : touches)
     lost -= touch.rub * (touch.mean_sliding() - sliding_lever_of(touch, *this).dot(middle));

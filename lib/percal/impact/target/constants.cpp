@@ -62,10 +62,11 @@ PressureLaw pressure_law_of(VolumetricLaw law) {
   return PressureLaw::log_quadratic;
 }
 
-double lasting_share_of(const Relaxation& relaxation) {
+// Of mu, when all terms have relaxed.
+template <class Terms>
+double lasting_share_of(const Terms& terms) {
   double share = 1;
-  if (const auto* series = std::get_if<PronySeries>(&relaxation))
-    for (const PronyTerm& term : series->terms) share -= term.share;
+  for (const auto& term : terms) share -= term.share;
   return share;
 }
 
@@ -124,6 +125,8 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
   const bool shock = is_supersonic(p);
   const double linear = shock ? std::max(p.linear_viscosity, supersonic_linear) : p.linear_viscosity;
   const double quadratic = shock ? std::max(p.quadratic_viscosity, supersonic_quadratic) : p.quadratic_viscosity;
+  const auto* series = std::get_if<PronySeries>(&p.relaxation);
+  const double lasting = series ? lasting_share_of(series->terms) : 1;
   const GradedMesh mesh = mesh_of(p);
   std::vector<MaterialConstants> layers;
   for (const Layer& layer : layers_of(p)) {
@@ -142,7 +145,7 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
     if (const auto* fibres = std::get_if<PlanarFibres>(&layer.fibres)) c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
     c.initial = initial_stretch(
         layer.stretch, p.geometry,
-        {{layer.mu * lasting_share_of(p.relaxation), layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
+        {{layer.mu * lasting, layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
     if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
@@ -196,9 +199,7 @@ bool TargetSolid::erodes(int row) const {
 }
 
 double TargetSolid::lasting_share() const {
-  double share = 1;
-  for (const RelaxingTerm& term : relaxation) share -= term.share;
-  return share;
+  return lasting_share_of(relaxation);
 }
 
 template <class Real>

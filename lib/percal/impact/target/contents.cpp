@@ -55,9 +55,7 @@ template <class Real>
 CellState state_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
   const ElasticSolid lasting = lasting_solid(solid, row);
   const auto F = whole_gradient(block, solid, column, row);
-  auto P = lasting.first_piola(F);
-  const auto more = unrelaxed(block, block.at(column, row), F);
-  P = {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+  const auto P = lasting.first_piola(F) + unrelaxed(block, block.at(column, row), F);
   CellState state = cell_state(F, P, lasting.energy_density(F));
   state.stress[3] = 0 - state.stress[3];  // z is downwards, y upwards
   return state;
@@ -170,6 +168,7 @@ EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid, i
   const auto& view = block.view();
   const Kernel<Real>& lanes = kernel<Real>();
   const int columns = block.mesh().columns();
+  const bool is_plain = solid.is_plain();
   EnergyLedger energy;
   for (int i = 0; i <= columns; ++i) {
     const KineticEnergy kinetic = lanes.kinetic_energy(view, i, rows + 1, block.masses(i));
@@ -181,7 +180,7 @@ EnergyLedger stored_energy(const Block<Real>& block, const TargetSolid& solid, i
     energy.hourglass += stored.hourglass;
   };
   for (int i = 0; i < columns; ++i) {
-    if (solid.is_plain()) {
+    if (is_plain) {
       add(lanes.stored_energy(view, i, rows, block.shapes()[i], solid.layers.front().material));
       continue;
     }

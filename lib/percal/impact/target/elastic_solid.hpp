@@ -18,9 +18,7 @@ struct ElasticSolid {
   scalar::Piola<double> first_piola(const scalar::Gradient<double>& F) const {
     const auto s = scalar::stretches(F);
     const auto P = scalar::elastic_piola(matrix, F, s, scalar::isochoric_powers(F, s, matrix.alpha));
-    if (fibres.is_none()) return P;
-    const auto more = response(F, s).stress;
-    return {P.rr + more.rr, P.rz + more.rz, P.zr + more.zr, P.zz + more.zz, P.hoop + more.hoop};
+    return fibres.is_none() ? P : P + response(F, s).stress;
   }
 
  private:
