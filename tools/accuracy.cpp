@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <stdexcept>
 
 #include "percal/base/progress.hpp"
 #include "percal/study/kept_ladder.hpp"
-#include "percal/units/quantity.hpp"
-#include "percal/units/words.hpp"
+#include "percal/text/one_value.hpp"
 
 namespace percal::tools {
 namespace {
@@ -42,26 +40,12 @@ AdvisedAccuracy accuracy_of(const AdvisedSetting& advice, const LadderOptions& l
 }  // namespace
 
 double parse_accuracy(const std::string& text) {
-  const auto refuse = [&]() -> double {
-    throw BadInput(Place{.file = "", .line = 0, .key = "--accuracy"}, in_quotes(text),
-                   fmt::format("a share of the depth from {0}% to {1}%, as \"2%\" or \"0.02\"", 100 * finest_accuracy,
-                               100 * coarsest_accuracy));
-  };
-  std::string number = text;
-  while (!number.empty() && number.back() == ' ') number.pop_back();
-  const bool is_percent = !number.empty() && number.back() == '%';
-  if (is_percent) number.pop_back();
-  double value = 0;
-  try {
-    const Quantity quantity = parse_quantity(number);
-    if (quantity.dimension != dimension::none) return refuse();
-    value = is_percent ? quantity.value / 100 : quantity.value;
-  } catch (const std::invalid_argument&) {
-    return refuse();
-  }
   constexpr double round_off = 1e-12;
-  if (!(value >= finest_accuracy * (1 - round_off) && value <= coarsest_accuracy)) return refuse();
-  return value;
+  return one_share(text, "--accuracy",
+                   {.low = finest_accuracy * (1 - round_off),
+                    .high = coarsest_accuracy,
+                    .words = fmt::format("a share of the depth from {0}% to {1}%, as \"2%\" or \"0.02\"",
+                                         100 * finest_accuracy, 100 * coarsest_accuracy)});
 }
 
 AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store& store, const Common& common) {

@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "colour.hpp"
 #include "commands.hpp"
@@ -16,28 +15,10 @@
 #include "percal/calibrate/verdict.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/page/figures.hpp"
-#include "percal/text/range.hpp"
-#include "percal/units/words.hpp"
+#include "percal/text/one_value.hpp"
 
 namespace percal::tools {
 namespace {
-
-// "60s", "5 min", "2 h": seconds.
-std::optional<double> parse_budget(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto refuse = [&](const std::string& found) {
-    throw BadInput(Place{.file = "", .line = 0, .key = "--budget"}, found,
-                   "a positive time with its unit: 60s, \"5 min\", 2h");
-  };
-  Quantity quantity{0, dimension::none};
-  try {
-    quantity = parse_quantity(text);
-  } catch (const std::invalid_argument& error) {
-    refuse(in_quotes(text) + ": " + error.what());
-  }
-  if (!(quantity.dimension == dimension::time) || !contains(positive(), quantity.value)) refuse(in_quotes(text));
-  return quantity.value;
-}
 
 std::string valid_words(const CalibrationJob& job, const RunSize& largest) {
   return fmt::format("a job that can be run: {} parameters, {} shots ({} fitted), {} curves, {} hypotheses; {}",
@@ -50,7 +31,7 @@ std::string valid_words(const CalibrationJob& job, const RunSize& largest) {
 
 Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   CalibrationLimits limits;  // the clock starts here
-  limits.budget_seconds = parse_budget(arguments.budget);
+  limits.budget_seconds = optional_quantity(arguments.budget, "--budget", dimension::time, positive("time"));
   const CalibrationJob job = read_calibration_job(arguments.job);
   const RunSize largest = largest_run(job);  // throws where it cannot be run
   if (common.check)

@@ -18,7 +18,7 @@
 #include "percal/card/solver.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/text/file.hpp"
-#include "percal/units/quantity.hpp"
+#include "percal/text/one_value.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -30,8 +30,7 @@ using nlohmann::json;
 CardRequest request_of(const CardArguments& card) {
   CardRequest request{.name = card.name};
   if (!card.density.empty())
-    request.density = positive_quantity(card.density, "--density", dimension::density,
-                                        "a positive density with its unit, such as \"1010 kg/m3\"");
+    request.density = one_quantity(card.density, "--density", dimension::density, positive("density"));
   if (card.bulk_to_shear && !(*card.bulk_to_shear > 0 && std::isfinite(*card.bulk_to_shear)))
     throw BadInput({"", 0, "--bulk-to-shear"}, std::to_string(*card.bulk_to_shear), "a positive number K/mu");
   if (card.nu && !(*card.nu > 0 && *card.nu < 0.5))
@@ -63,8 +62,7 @@ CurveRange range_of(const CardArguments& card) {
 Exit deliver(const std::vector<DeckFile>& files, const std::string& what, const std::string& of_what,
              const CardArguments& card, const Common& common) {
   if (common.check) {
-    if (!common.quiet)
-      print(fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
+    if (!common.quiet) print(fmt::format("{}: a result that {} can have a {} of\n", card.result, card.solver, what));
     return Exit::done;
   }
   if (card.file.empty()) {

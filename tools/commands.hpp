@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "percal/base/error.hpp"
-#include "percal/units/quantity.hpp"
+#include "percal/predict/request.hpp"
 
 namespace percal::tools {
 
@@ -65,6 +65,12 @@ struct IdentifyArguments {
 struct CalibrateArguments {
   std::string job;
   std::string budget;  // "60s"; empty: no limit
+};
+
+struct PredictArguments {
+  std::string result;
+  PredictWords words;
+  bool verify = false;  // run the solver at every shot
 };
 
 // One of the three kinds of study; `scene` is empty where it brings its own.
@@ -137,6 +143,7 @@ Exit run_scale(const ScaleArguments&, const Common&);
 Exit run_impact(const ImpactArguments&, const Common&);
 Exit run_identify(const IdentifyArguments&, const Common&);
 Exit run_calibrate(const CalibrateArguments&, const Common&);
+Exit run_predict(const PredictArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
 Exit run_card_read(const CardArguments&, const Common&);
@@ -157,9 +164,5 @@ std::string out_folder(const std::string& first_input, const Common&);
 
 // Throws BadInput where a TOML file is a scene or a job, which this command does not take. Others are left to their readers.
 void refuse_document(const std::string& file, const std::string& accepted);
-
-// What an option says, in SI. Throws BadInput, which names the option and what is accepted.
-double positive_quantity(const std::string& text, const std::string& option, const Dimension& wanted,
-                         const std::string& accepted);
 
 }  // namespace percal::tools

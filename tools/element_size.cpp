@@ -8,6 +8,7 @@
 
 #include "percal/base/progress.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/text/one_value.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -59,8 +60,7 @@ const NamedScene& chosen(const std::vector<NamedScene>& scenes, const CardArgume
 
 std::optional<StrainAtSize> strain_for_elements(const CardArguments& card, const CardMaterial& material,
                                                 const Common& common) {
-  const double element = positive_quantity(card.element_size, "--element-size", dimension::length,
-                                           "a positive length with its unit, such as \"0.1 mm\"");
+  const double element = one_quantity(card.element_size, "--element-size", dimension::length, positive("length"));
   if (!material.erosion)
     throw BadInput(Place{.file = card.result, .line = 0, .key = "--element-size"}, "a card without an erosion strain",
                    "one with it");

@@ -23,10 +23,11 @@ CLI::Validator between(double low, double high) {
 }
 
 // --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
-void add_common(CLI::App& command, Common& common, bool runs_impacts) {
-  command.add_option(
-      "--out", common.out,
-      "folder for results (default: NAME.out in the working folder, NAME that of the input; none: no files)");
+void add_common(CLI::App& command, Common& common, bool runs_impacts,
+                const std::string& out =
+                    "folder for results (default: NAME.out in the working folder, NAME that of "
+                    "the input; none: no files)") {
+  command.add_option("--out", common.out, out);
   if (runs_impacts) {
     command.add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
     command.add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")
@@ -96,6 +97,41 @@ void add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common,
   command->footer("Example: percal calibrate data/synthetic/joint.toml --budget 60s");
   add_common(*command, common, true);
   commands.push_back({command, [&] { return run_calibrate(calibrate, common); }, true});
+}
+
+void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand(
+      "predict",
+      "a shot that was not fired, from a finished calibration -> its depth with intervals, depth over speed");
+  PredictWords& words = predict.words;
+  command->add_option("result", predict.result, "result.json of percal calibrate, or its folder")->required();
+  command->add_option("--material", words.material, "of the calibration (default: the one that was shot into)");
+  command->add_option("--hypothesis", words.hypothesis, "name or number (default: the first)");
+  command->add_option("--speed", words.speed, "as \"83 m/s\", or a range as 50..250m/s");
+  auto* radius = command->add_option("--radius", words.radius, "of the sphere, as \"1.59 mm\"");
+  command->add_option("--diameter", words.diameter, "in its place, as 4.5mm")->excludes(radius);
+  auto* density = command->add_option("--particle-density", words.density, "of the sphere, as \"7800 kg/m3\"");
+  command->add_option("--particle-mass", words.mass, "in its place, as 0.36g")->excludes(density);
+  command->add_option("--layer-depth", words.layer_depth, "the target's depth, as 200mm");
+  command->add_option("--speed-error", words.speed_error, "standard deviation of the speeds, as 1%");
+  command->add_option("--shots", words.shots,
+                      "CSV of many shots: speed, radius or diameter, particle_density or particle_mass, layer_depth, "
+                      "label; what has no column is as the options say");
+  auto* depth = command->add_option("--depth", words.depth, "look for the speed that gives this depth, as 85mm");
+  command
+      ->add_option("--solve-for", words.solve_for,
+                   "speed, diameter or density: what --depth looks for (default: speed)")
+      ->needs(depth);
+  command->add_option("--level", words.level, "confidence level of the intervals (default: the calibration's)")
+      ->check(between(0.5, 0.9999));
+  command->add_flag("--verify", predict.verify, "run the solver at every shot, with its replicates");
+  command->footer(
+      "What is left out is what the fitted shots have in common.\n"
+      "Examples: percal predict joint.out --speed 83m/s\n"
+      "          percal predict joint.out --speed 50..120m/s --out joint_speeds\n"
+      "          percal predict joint.out --depth \"30 mm\"");
+  add_common(*command, common, true, "folder for results (default: no files)");
+  commands.push_back({command, [&] { return run_predict(predict, common); }, true});
 }
 
 void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector<Command>& commands) {
@@ -352,6 +388,7 @@ void name_values(CLI::App& app) {
       {{"--out", "--plots"}, "FOLDER"},
       {{"--store", "--file", "--history", "--markdown", "--write-scene", "--picture", "--csv"}, "FILE"},
       {{"files", "scene", "job", "result", "results", "card", "sources"}, "FILE"},
+      {{"--shots"}, "FILE.csv"},
       {{"--x", "--y", "--error", "--rate-column"}, "COLUMN"},
       {{"--where"}, "COLUMN=VALUE"},
       {{"--stable"}, "LOW:HIGH"},
@@ -375,6 +412,7 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_study(app, a.study, a.common, commands);
   add_identify(app, a.identify, a.common, commands);
   add_calibrate(app, a.calibrate, a.common, commands);
+  add_predict(app, a.predict, a.common, commands);
   add_card(app, a.card, a.common, commands);
   add_store(app, a.store, a.common, commands);
   add_report(app, a.report, a.common, commands);

@@ -15,6 +15,7 @@ struct Arguments {
   FitArguments fit;
   ScaleArguments scale;
   ImpactArguments impact;
+  PredictArguments predict;
   StudyArguments study;
   IdentifyArguments identify;
   CalibrateArguments calibrate;

@@ -11,6 +11,7 @@
 #include "percal/identify/page/page.hpp"
 #include "percal/observe/page/page.hpp"
 #include "percal/page/result.hpp"
+#include "percal/predict/page/page.hpp"
 #include "percal/scaling/page/page.hpp"
 #include "percal/study/page/page.hpp"
 #include "percal/units/words.hpp"
@@ -24,12 +25,13 @@ struct PageOfCommand {
   const char* command;
   page::Page (*page)(const Json&);
 };
-constexpr std::array<PageOfCommand, 6> pages{{{"fit", fit_page},
+constexpr std::array<PageOfCommand, 7> pages{{{"fit", fit_page},
                                               {"scale", scale_page},
                                               {"impact", impact_page},
                                               {"study", study_page},
                                               {"identify", identify_page},
-                                              {"calibrate", calibrate_page}}};
+                                              {"calibrate", calibrate_page},
+                                              {"predict", predict_page}}};
 
 std::string shown(const Json& value) {
   if (value.is_null()) return "nothing";
@@ -38,14 +40,18 @@ std::string shown(const Json& value) {
 
 }  // namespace
 
-page::Page page_of_result(const Json& result, const std::string& file) {
+void check_result(const Json& result, const std::string& file) {
   if (!result.is_object())
     throw BadInput({file, 0, ""}, "JSON that is no object", "the result.json of a command of percal");
-  const Json &command = page::maybe(result, "command"), &schema = page::maybe(result, "schema");
-  if (schema != result_schema)
+  if (const Json& schema = page::maybe(result, "schema"); schema != result_schema)
     throw BadInput({file, 0, "schema"}, shown(schema),
                    std::to_string(result_schema) +
                        ", as results of this percal have it: run the command again (finished runs are in the store)");
+}
+
+page::Page page_of_result(const Json& result, const std::string& file) {
+  check_result(result, file);
+  const Json& command = page::maybe(result, "command");
   std::vector<std::string> commands;
   for (const PageOfCommand& one : pages) {
     commands.emplace_back(one.command);

@@ -7,6 +7,9 @@
 
 namespace percal::tools {
 
+// Throws BadInput where it is no result, or one of another schema.
+void check_result(const page::Json& result, const std::string& file);
+
 // The page of a result.json of any command that writes one. Throws BadInput with `file` where it is none, where its schema is
 // another, or where a key is missing.
 page::Page page_of_result(const page::Json& result, const std::string& file);

@@ -25,13 +25,19 @@ void refuse_document(const std::string& file, const std::string& accepted) {
   if (const auto kind = document_in_words(read_file(file))) throw BadInput({file, 0, ""}, *kind, accepted);
 }
 
-page::ReadResult read_result(const std::string& path) {
+NamedResult read_json_result(const std::string& path) {
   std::error_code none;
   const std::string file = std::filesystem::is_directory(path, none) ? path + "/result.json" : path;
   refuse_document(file, "the result.json of a command of percal");
-  page::ReadResult result{file, parse_json(read_file(file), file, "the result.json of a command of percal"), {}};
-  result.page = page_of_result(result.json, file);
-  return result;
+  Json json = parse_json(read_file(file), file, "the result.json of a command of percal");
+  check_result(json, file);
+  return {file, std::move(json)};
+}
+
+page::ReadResult read_result(const std::string& path) {
+  NamedResult read = read_json_result(path);
+  page::Page page = page_of_result(read.json, read.file);
+  return {std::move(read.file), std::move(read.json), std::move(page)};
 }
 
 void deliver(const Json& result, const std::string& folder, const Common& common) {

@@ -12,7 +12,14 @@
 
 namespace percal::tools {
 
-// Reads the file, or result.json of the folder. Throws BadInput as page_of_result() does.
+// The file, or result.json of the folder. Throws BadInput where it is no result of this percal.
+struct NamedResult {
+  std::string file;
+  page::Json json;
+};
+NamedResult read_json_result(const std::string& path);
+
+// The same with its page. Throws BadInput as page_of_result() does.
 page::ReadResult read_result(const std::string& path);
 
 // What every command ends with: result.json in the folder (nowhere where that is empty), then on standard output the result as JSON

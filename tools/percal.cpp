@@ -24,18 +24,6 @@
 
 namespace percal::tools {
 
-double positive_quantity(const std::string& text, const std::string& option, const Dimension& wanted,
-                         const std::string& accepted) {
-  const Place place{"", 0, option};
-  try {
-    const Quantity quantity = parse_quantity(text);
-    if (quantity.dimension == wanted && quantity.value > 0) return quantity.value;
-  } catch (const std::invalid_argument& error) {
-    throw BadInput(place, in_quotes(text) + " (" + error.what() + ")", accepted);
-  }
-  throw BadInput(place, in_quotes(text), accepted);
-}
-
 std::string folder_named(const std::string& first_input, const Common& common) {
   if (common.out == "none") return "";
   return common.out.empty() ? std::filesystem::path(first_input).stem().string() + ".out" : common.out;

@@ -4,7 +4,7 @@
 #include "percal/base/version.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/store/store.hpp"
-#include "percal/units/quantity.hpp"
+#include "percal/text/one_value.hpp"
 
 namespace py = pybind11;
 
@@ -27,10 +27,7 @@ PYBIND11_MODULE(_core, core) {
   core.def("instruction_level", &percal::instruction_level);
   core.def("default_store_path", &percal::default_store_path);
   core.def("seconds", [](const std::string& text) {
-    const percal::Quantity quantity = percal::parse_quantity(text);
-    if (!(quantity.dimension == percal::dimension::time) || !(quantity.value > 0))
-      throw percal::BadInput({"", 0, "budget"}, "'" + text + "'", "a positive time with its unit: 60s, 5 min, 2 h");
-    return quantity.value;
+    return percal::one_quantity(text, "budget", percal::dimension::time, percal::positive("time"));
   });
   percal::python::bind_fit(core);
   percal::python::bind_impact(core);

@@ -41,6 +41,7 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
       {{}, "command"},
       {{"identfy", job},
        "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, identify, calibrate, "
+       "predict, "
        "card"},
       {{"identify"}, "job"},
       {{"identify", job, job}, "skin.toml"},

@@ -108,10 +108,10 @@ TEST_F(JobsWithALength, WriteItIntoTheirScenes) {
 TEST_F(JobsWithALength, HaveTheirKeysOnTheFormatsPage) {
   const CalibrationJob job = read_job(lengths("length", "0.4 mm"));
   CalibrationResult made_up = calibrate_test::made_up_result(read_job());
-  made_up.emulator.settings.length.back() = 0.8;
+  made_up.shot_model.emplace().settings.length.back() = 0.8;
   made_up.hypotheses[0].fresh[0].elements_in_length = 7;
   const nlohmann::json result = calibration_to_json(read_job(), made_up);
-  EXPECT_EQ(result["emulator"]["settings"]["length"]["ln_erosion_length_over_radius"], 0.8);
+  EXPECT_EQ(result["shot_model"]["settings"]["length"]["ln_erosion_length_over_radius"], 0.8);
   EXPECT_EQ(result["hypotheses"][0]["fresh_runs"][0]["elements_in_erosion_length"], 7);
   const std::string page = text_of(std::string(PERCAL_DATA) + "/../docs/formats/calibrate.md");
   for (const char* key : {"`ln_erosion_length_over_radius`", "`elements_in_erosion_length`", "`erosion_length`"})

@@ -234,6 +234,8 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   hypothesis.mesh_error = -0.004;
   hypothesis.findings = {"The strain and the modulus go together."};
 
+  hypothesis.for_shots = {.name = "as given", .materials = {{.name = "soft", .points = {{1000, 1e5, 6, 0.9}}}}};
+
   HypothesisResult held = hypothesis;
   held.index = 1;
   held.parameters = {1, 3};

@@ -11,6 +11,7 @@
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {

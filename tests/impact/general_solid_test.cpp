@@ -2,8 +2,6 @@
 // the general kernel as such. Relaxation and layers have files of their own.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "impact/setting_s.hpp"
 #include "impact/specimen.hpp"
 #include "percal/impact/kernel/element.hpp"
@@ -11,20 +9,6 @@
 
 namespace percal {
 namespace {
-
-template <class Real>
-void displace_at_random(Block<Real>& block, double amount) {
-  std::mt19937 random(5);
-  std::uniform_real_distribution<double> uniform(-amount, amount);
-  for (int i = 0; i <= block.mesh().columns(); ++i)
-    for (int j = 0; j <= block.mesh().rows; ++j) {
-      const long n = block.at(i, j);
-      block.view().u_r[n] = i == 0 ? Real(0) : Real(uniform(random));
-      block.view().u_z[n] = Real(uniform(random));
-      block.view().v_r[n] = i == 0 ? Real(0) : Real(uniform(random));
-      block.view().v_z[n] = Real(uniform(random));
-    }
-}
 
 Problem everything_at_once() {
   Problem p = specimen_problem();
@@ -99,7 +83,8 @@ void holds_what_its_elements_hold() {
       sum.hourglass += one.hourglass;
     }
   const EnergyLedger held = stored_energy(block, specimen.solid, rows);
-  for (const auto share : {&EnergyLedger::live_kinetic, &EnergyLedger::freed_mass, &EnergyLedger::elastic, &EnergyLedger::hourglass}) {
+  for (const auto share :
+       {&EnergyLedger::live_kinetic, &EnergyLedger::freed_mass, &EnergyLedger::elastic, &EnergyLedger::hourglass}) {
     EXPECT_GT(sum.*share, 0);
     EXPECT_NEAR(held.*share / sum.*share, 1, 1e-12);
   }
@@ -235,7 +220,8 @@ TEST(Erosion, OfSeveralLimitsTheFirstReachedDecidesAndIsNamed) {
 TEST(Erosion, ALayerMayHaveAFurtherLimitAlone) {
   Problem p = setting_s();
   p.further_erosion.energy = 1e6;
-  p.below = {{.depth = 40, .mu = p.mu(), .alpha = p.alpha, .erosion_limit = INFINITY, .further_erosion = {.energy = 0.1}}};
+  p.below = {
+      {.depth = 40, .mu = p.mu(), .alpha = p.alpha, .erosion_limit = INFINITY, .further_erosion = {.energy = 0.1}}};
   p.depth = 2;
   p.end_time = 8;
   const ImpactResult result = run_impact(p, 1);

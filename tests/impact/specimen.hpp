@@ -2,6 +2,7 @@
 // on.
 #pragma once
 #include <cmath>
+#include <random>
 
 #include "percal/impact/target/constants.hpp"
 #include "percal/impact/target/contents.hpp"
@@ -100,6 +101,21 @@ inline double isochoric_stress_of(double mu, double alpha, double l1, double l2,
   const double scale = std::pow(l1 * l2 * l3, -1.0 / 3);
   const double g1 = std::pow(scale * l1, alpha), g2 = std::pow(scale * l2, alpha), g3 = std::pow(scale * l3, alpha);
   return 2 * mu / alpha * (g1 - (g1 + g2 + g3) / 3);
+}
+
+// Positions and velocities of every node, the axis' but downwards; the same each time.
+template <class Real>
+void displace_at_random(Block<Real>& block, double amount) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-amount, amount);
+  for (int i = 0; i <= block.mesh().columns(); ++i)
+    for (int j = 0; j <= block.mesh().rows; ++j) {
+      const long n = block.at(i, j);
+      block.view().u_r[n] = i == 0 ? Real(0) : Real(uniform(random));
+      block.view().u_z[n] = Real(uniform(random));
+      block.view().v_r[n] = i == 0 ? Real(0) : Real(uniform(random));
+      block.view().v_z[n] = Real(uniform(random));
+    }
 }
 
 }  // namespace percal

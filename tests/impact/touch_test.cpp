@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -115,8 +116,17 @@ TEST(Touch, ImpulsesOnABodyThatIsFreeToTurnDoWhatTheyHaveTo) {
 
 // A node under the body, which slides over it to the right at `sliding` and has been pushed down with `impulse`.
 Touch pressed(double mass, double impulse, double sliding) {
-  return {.column = 2, .mass = mass, .x = 0, .z = 1, .away_x = 0, .away_z = 1, .impulse = impulse, .along_x = 1, .along_z = 0,
-          .along_before = -sliding, .along_now = -sliding};
+  return {.column = 2,
+          .mass = mass,
+          .x = 0,
+          .z = 1,
+          .away_x = 0,
+          .away_z = 1,
+          .impulse = impulse,
+          .along_x = 1,
+          .along_z = 0,
+          .along_before = -sliding,
+          .along_now = -sliding};
 }
 
 TEST(Friction, BrakesASlidingNodeByTheCoefficientTimesTheImpulseAcross) {

@@ -25,7 +25,8 @@ MAY_SEE = {
     "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
-    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "plot", "page"],
+    "predict": ["base", "math", "units", "text", "scene", "problem", "observe", "invert", "campaign", "plot", "page"],
+    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "predict", "plot", "page"],
 }
 
 # Rooms of a layer, in their order: a file includes rooms up to its own; one that lies beside them, none.

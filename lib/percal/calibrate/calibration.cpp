@@ -8,6 +8,7 @@
 #include "percal/calibrate/fresh_runs.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
 #include "percal/calibrate/hypothesis_fit.hpp"
+#include "percal/calibrate/kept_model.hpp"
 #include "percal/calibrate/run_sizes.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/training.hpp"
@@ -220,6 +221,7 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
         read_all(job, training ? std::optional(training->emulator()) : std::nullopt, campaign, limits, announce);
   else
     result.findings.push_back("No hypothesis was fitted: " + hopeless + ".");
+  if (training && training->has_emulator()) result.shot_model = kept_model(job, training->emulator(), result);
   if (job.dehn && !used_shots(job).empty()) result.dehn = fit_dehn(job);
   const auto findings = overall_findings(job, result);
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());

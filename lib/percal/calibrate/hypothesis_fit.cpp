@@ -5,6 +5,7 @@
 
 #include "percal/calibrate/error_budget.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
+#include "percal/calibrate/kept_model.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/calibrate/verdict.hpp"
 #include "percal/units/words.hpp"
@@ -92,6 +93,7 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   const VectorXd mesh_shift = without_mesh.log_depths(fit.at, fitted, Want::values).value -
                               model.log_depths(fit.at, fitted, Want::values).value;
   result.mesh_error = mesh_shift.size() > 0 ? mesh_shift.mean() : 0;
+  if (!job.shots.empty()) result.for_shots = for_shots(job, hypothesis, model, fit);
   std::vector<LogQuantity> quantities;
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
     LogQuantity quantity = stiffness_quantity(job, read, model, fit, static_cast<int>(m));

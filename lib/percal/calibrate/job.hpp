@@ -9,6 +9,7 @@
 #include "percal/estimate/least_squares.hpp"
 #include "percal/fit/curve_data.hpp"
 #include "percal/material/conventions.hpp"
+#include "percal/predict/sphere_shot.hpp"
 #include "percal/scene/scene.hpp"
 
 namespace percal {
@@ -39,13 +40,10 @@ struct CalibrationMaterial {
 };
 
 // A sphere shot into a material.
-struct MeasuredShot {
+struct MeasuredShot : SphereShot {  // all shots of a job have one width in radii
   std::string label;
   int material = 0;                        // of CalibrationJob::materials
-  double radius = 0, density = 0;          // m, kg/m3: of the sphere
-  double speed = 0, speed_error = 0;       // m/s, standard deviation
-  double layer_depth = 0;                  // m
-  double layer_width = 0;                  // m; all shots of a job have one width in radii
+  double speed_error = 0;                  // m/s, standard deviation
   double depth = 0;                        // m, measured
   double depth_error = 0;                  // m, standard deviation of this depth where one is known
   bool at_least = false;                   // the particle was only seen to go this deep or deeper

@@ -84,14 +84,10 @@ MatrixXd full_covariance(const JobModel& model, const JobFit& fit) {
   return covariance;
 }
 
-// Of a prediction that scatters as the data of a group do. The freedom left is at least what the group's own data leave when all
-// parameters are theirs.
+// Of a prediction that scatters as the data of a group do.
 double prediction_quantile(const JobFit& fit, int group, double level) {
-  const double upper = 0.5 + level / 2;
-  if (!fit.problem.groups[group].estimated) return normal_quantile(upper);
-  const auto told = std::count_if(fit.problem.data.begin(), fit.problem.data.end(),
-                                  [&](const Datum& d) { return d.group == group && !d.at_least; });
-  return student_quantile(upper, std::max(1.0, static_cast<double>(told) - static_cast<double>(fit.of_model.size())));
+  const double upper = 0.5 + level / 2, freedom = scatter_freedom(fit, group);
+  return freedom > 0 ? student_quantile(upper, freedom) : normal_quantile(upper);
 }
 
 }  // namespace
@@ -101,6 +97,13 @@ SearchOptions thorough_search() { return {.global_evaluations = 4000, .starts = 
 
 double known_log_error(const MeasuredShot& shot, double speed_exponent) {
   return std::hypot(shot.depth_error / shot.depth, speed_exponent * shot.speed_error / shot.speed);
+}
+
+double scatter_freedom(const JobFit& fit, int group) {
+  if (!fit.problem.groups[group].estimated) return 0;
+  const auto told = std::count_if(fit.problem.data.begin(), fit.problem.data.end(),
+                                  [&](const Datum& d) { return d.group == group && !d.at_least; });
+  return std::max(1.0, static_cast<double>(told) - static_cast<double>(fit.of_model.size()));
 }
 
 JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vector<int>& shots,

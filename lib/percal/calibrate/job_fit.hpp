@@ -31,6 +31,10 @@ JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vect
 // The known standard deviation of ln depth of a shot: of the depth, and of the speed through the exponent.
 double known_log_error(const MeasuredShot& shot, double speed_exponent);
 
+// Degrees of freedom that tell the scatter of a group: at least what the group's own data leave when all parameters are theirs. 0 where the
+// job says the scatter.
+double scatter_freedom(const JobFit& fit, int group);
+
 // Depth of each shot with the interval in which one such shot would lie, at the job's level: parameters, the model's own error, the
 // scatter and the known error of the shot.
 std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& model, const JobFit& fit,

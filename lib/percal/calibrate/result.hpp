@@ -9,6 +9,7 @@
 #include "percal/calibrate/job.hpp"
 #include "percal/estimate/intervals.hpp"
 #include "percal/invert/emulator.hpp"
+#include "percal/predict/shot_model.hpp"
 
 namespace percal {
 
@@ -133,6 +134,7 @@ struct HypothesisResult {
   std::vector<MaterialModuli> moduli;
   std::vector<ErrorBudget> budgets;
   std::vector<Advice> advice;  // what to measure next
+  ShotHypothesis for_shots;    // what predictions need of it
   double mesh_error = 0;       // relative: depth on no mesh over depth on the finest, less 1, mean over the shots
   double fresh_deviation = 0;  // mean of |fresh/measured - 1| over the fitted shots
   std::vector<std::string> findings;
@@ -178,6 +180,7 @@ struct CalibrationResult {
   std::optional<DehnResult> dehn;
   std::vector<std::string> findings;  // about the whole
   CalibrationCost cost;
+  std::optional<ShotModel> shot_model = {};  // for shots that were not fired; nothing of a job without shots
 };
 
 }  // namespace percal

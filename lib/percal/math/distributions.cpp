@@ -24,6 +24,11 @@ double student_quantile(double p, double degrees_of_freedom) {
   return gsl_cdf_tdist_Pinv(p, degrees_of_freedom);
 }
 
+double student_cdf(double x, double degrees_of_freedom) {
+  if (degrees_of_freedom > practically_infinite) return gsl_cdf_ugaussian_P(x);
+  return gsl_cdf_tdist_P(x, degrees_of_freedom);
+}
+
 double chi_squared_quantile(double p, double degrees_of_freedom) { return gsl_cdf_chisq_Pinv(p, degrees_of_freedom); }
 
 double f_quantile(double p, double numerator, double denominator) {
@@ -43,8 +48,6 @@ double log_normal_cdf(double z) {
   return gsl_sf_log_erfc(-z / std::numbers::sqrt2) - std::numbers::ln2;
 }
 
-double log_normal_cdf_slope(double z) {
-  return gsl_sf_hazard(-z);
-}
+double log_normal_cdf_slope(double z) { return gsl_sf_hazard(-z); }
 
 }  // namespace percal

@@ -10,6 +10,9 @@ double student_quantile(double p, double degrees_of_freedom);
 double chi_squared_quantile(double p, double degrees_of_freedom);
 double f_quantile(double p, double numerator, double denominator);
 
+// The share of the distribution below x; degrees of freedom as above.
+double student_cdf(double x, double degrees_of_freedom);
+
 // The share of the distribution above x.
 double chi_squared_tail(double x, double degrees_of_freedom);
 double f_tail(double x, double numerator, double denominator);

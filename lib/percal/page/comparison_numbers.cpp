@@ -13,8 +13,8 @@ namespace {
 
 // What is compared elsewhere, or says nothing beside another result.
 const std::set<std::string> not_compared{
-    "input", "data", "calibration", "model", "cost", "schema", "seed", "cards", "tables", "cpu_s", "wall_s", "reused",
-    "trials", "scores", "shot", "iterations", "evaluations", "likelihood_evaluations", "curve",
+    "input", "data", "calibration", "model", "shot_model", "cost", "schema", "seed", "cards", "tables", "cpu_s",
+    "wall_s", "reused", "trials", "scores", "shot", "iterations", "evaluations", "likelihood_evaluations", "curve",
     // of a list's elements: what they are called by, and what was put in
     "radius_m", "speed_m_s", "particle_density_kg_m3", "target_density_kg_m3", "measured_m", "measured_at_least_m",
     "thesis_fe_m", "reference_m", "elements_per_radius", "table_mu_as_given_Pa"};

@@ -87,11 +87,6 @@ void read_at_least(const TomlTable& block, const CsvTable& table, std::vector<Me
   for (std::size_t i = 0; i < shots.size(); ++i) shots[i].at_least = all || (block.has("at_least_where") && meets[i]);
 }
 
-std::string label_of(const std::string& particle, const MeasuredShot& shot) {
-  return fmt::format("{} {} at {}", particle, format_quantity(2 * shot.radius, dimension::length),
-                     format_quantity(shot.speed, dimension::speed));
-}
-
 std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
   const CsvTable table = table_of(block);
   const auto spheres = spheres_of_rows(block, table);
@@ -111,7 +106,7 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
     shot.speed = speeds[i];
     shot.depth = depths[i];
     shot.file = table.file;
-    shot.label = label_of(particles[i], shot);
+    shot.label = particles[i] + " " + words_of(shot);
     const auto cells = table.cells(table.rows[i]);
     for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = cells[c];
   }
@@ -131,7 +126,7 @@ MeasuredShot shot_of_point(const TomlTable& point) {
   shot.depth_error = depth_error_from(point, shot.depth);
   shot.at_least = point.flag("at_least", false);
   shot.used = point.word("use", use_words, 0) == 0;
-  shot.label = point.text("label", label_of("sphere", shot));
+  shot.label = point.text("label", "sphere " + words_of(shot));
   shot.row["label"] = shot.label;
   return shot;
 }

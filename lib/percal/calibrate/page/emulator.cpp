@@ -8,37 +8,6 @@
 #include "percal/page/numbers.hpp"
 
 namespace percal::calibration_page {
-namespace {
-
-// The first `inputs` of them, in the order of SphereInputs.
-Json lengths_to_json(const std::array<double, sphere_inputs>& length, int inputs) {
-  const char* const names[] = {"ln_pi4",
-                               "ln_pi5",
-                               "alpha",
-                               "erosion_strain",
-                               "ln_depth_over_radius",
-                               "ln_bulk_ratio",
-                               "ln_erosion_length_over_radius"};
-  Json all = Json::object();
-  for (int i = 0; i < inputs; ++i) all[names[i]] = finite(length[i]);
-  return all;
-}
-
-Json settings_to_json(const EmulatorSettings& settings) {
-  const int inputs = settings.inputs();
-  return {{"amplitude", finite(settings.amplitude)},
-          {"length", lengths_to_json(settings.length, inputs)},
-          {"mesh_amplitude", finite(settings.mesh_amplitude)},
-          {"mesh_length", lengths_to_json(settings.mesh_length, inputs)},
-          {"mesh_order", finite(settings.mesh_order)},
-          {"noise", finite(settings.noise)},
-          {"noise_order", finite(settings.noise_order)},
-          {"log_likelihood", finite(settings.log_likelihood)},
-          {"likelihood_evaluations", settings.evaluations}};
-}
-
-}  // namespace
-
 Json emulator_to_json(const EmulatorReport& emulator) {
   Json rounds = Json::array(), outcomes = Json::array();
   for (const auto& round : emulator.rounds)
@@ -49,7 +18,7 @@ Json emulator_to_json(const EmulatorReport& emulator) {
           {"reused", emulator.reused},
           {"foreign", emulator.foreign},
           {"outcomes", outcomes},
-          {"settings", settings_to_json(emulator.settings)},
+          {"noise", finite(emulator.settings.noise)},
           {"leave_one_out_error", finite(emulator.leave_one_out)},
           {"standardised_deviation", finite(emulator.standardised_deviation)},
           {"coverage95", finite(emulator.coverage95)},
@@ -145,7 +114,7 @@ Table emulator_table(const Json& one) {
                    {"outcomes", outcomes},
                    {"leave-one-out error", percent(number(one, "leave_one_out_error"))},
                    {"within its 95 %", percent(number(one, "coverage95"))},
-                   {"solver's noise", percent(number(at(one, "settings"), "noise"))},
+                   {"solver's noise", percent(number(one, "noise"))},
                    {"error at the optimum", percent(number(one, "error_at_optimum"))},
                    {"data's error", percent(number(one, "data_error"))},
                    {"stopped because", text(one, "stopped")}},

@@ -136,6 +136,7 @@ page::Json calibration_to_json(const CalibrationJob& job, const CalibrationResul
                {"cards", cards},
                {"dehn", result.dehn ? dehn_to_json(job, *result.dehn) : Json()},
                {"emulator", emulator_to_json(result.emulator)},
+               {"shot_model", result.shot_model ? shot_model_to_json(*result.shot_model) : Json()},
                {"findings", result.findings},
                {"cost", cost_to_json({.runs = result.cost.runs,
                                       .reused = result.cost.reused,

@@ -1,0 +1,200 @@
+// The page of `percal predict`.
+#include "percal/predict/page/page.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/page/numbers.hpp"
+#include "percal/page/sections.hpp"
+
+namespace percal {
+
+using namespace page;
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+std::string sphere_words(const Json& shot) {
+  const auto radius = number(shot, "radius_m");
+  return fmt::format("a sphere of {} and {}", length(radius ? std::optional(2 * *radius) : radius),
+                     quantity(number(shot, "density_kg_m3"), dimension::density));
+}
+
+std::string solved_words(const Json& result) {
+  const Json& solved = at(result, "solved");
+  const std::string number_of = text(solved, "looked_for");
+  if (!yes(solved, "found"))
+    return fmt::format("No {} gives {} within a factor of {:g} of where the search began.", number_of,
+                       value_words(solved, "wanted_depth_m"), solved_within);
+  return fmt::format("A {} of {} gives {} in the mean ({} {}, of one shot {}).", number_of,
+                     value_words(solved, "value", 4), value_words(solved, "wanted_depth_m"), level_words(result),
+                     interval_words(solved, "value_mean_interval"), interval_words(solved, "value_shot_interval"));
+}
+
+std::string summary_of(const Json& result) {
+  if (!at(result, "solved").is_null()) return solved_words(result);
+  const Json& shots = list(result, "shots");
+  if (shots.size() == 1) {
+    const Json& shot = shots[0];
+    return fmt::format("Into {}, {} at {} goes {} deep; {} of such shots: {}.", text(result, "material"),
+                       sphere_words(shot), value_words(shot, "speed_m_s", 4), value_words(shot, "depth_m"),
+                       level_words(result), interval_words(shot, "shot_interval_m"));
+  }
+  const Json& curve = list(result, "curve");
+  if (shots.empty() && !curve.empty())
+    return fmt::format("Into {}, {} goes {} deep at {} and {} at {}.", text(result, "material"),
+                       sphere_words(at(result, "like")), value_words(curve.front(), "depth_m"),
+                       value_words(curve.front(), "speed_m_s"), value_words(curve.back(), "depth_m"),
+                       value_words(curve.back(), "speed_m_s"));
+  return fmt::format("{} into {}.", counted(static_cast<long>(shots.size()), "shot"), text(result, "material"));
+}
+
+Table shot_table(const Json& result) {
+  Table table{.caption = "Depths",
+              .rows = {{"shot", "depth", level_words(result) + " of the mean", level_words(result) + " of one shot"}},
+              .notes = {"The mean: of many such shots; parameters and emulator. One shot: its scatter, too."}};
+  for (const Json& shot : list(result, "shots"))
+    table.rows.push_back({text(shot, "label"), value_words(shot, "depth_m"), interval_words(shot, "mean_interval_m"),
+                          interval_words(shot, "shot_interval_m")});
+  return table;
+}
+
+Table curve_table(const Json& result) {
+  Table table{.caption = "Depth over speed",
+              .rows = {{"speed", "depth", level_words(result) + " of the mean", level_words(result) + " of one shot"}},
+              .notes = {}};
+  const Json& curve = list(result, "curve");
+  constexpr std::size_t every = 4;  // the figure has them all
+  for (std::size_t k = 0; k < curve.size(); k += every)
+    table.rows.push_back({value_words(curve[k], "speed_m_s", 4), value_words(curve[k], "depth_m"),
+                          interval_words(curve[k], "mean_interval_m"), interval_words(curve[k], "shot_interval_m")});
+  return table;
+}
+
+// Standard deviations of a depth, of its size.
+Table error_table(const Json& shots) {
+  Table table{.caption = "Where the error comes from: standard deviations of a depth",
+              .rows = {{"shot", "parameters", "emulator", "scatter", "speed"}},
+              .notes = {}};
+  for (const Json& shot : shots) {
+    const Json& errors = at(shot, "errors");
+    table.rows.push_back({text(shot, "label"), rough_percent(number(errors, "parameters")),
+                          rough_percent(number(errors, "emulator")), rough_percent(number(errors, "scatter")),
+                          rough_percent(number(errors, "speed"))});
+  }
+  return table;
+}
+
+Table checked_table(const Json& shots) {
+  Table table{
+      .caption = "Checked by runs",
+      .rows = {{"shot", "runs", "depth of the runs", "predicted", "in stated errors"}},
+      .notes = {
+          "Runs at the best point, on the mesh that the prediction is of; errors: the emulator's and the runs' own."}};
+  for (const Json& shot : shots) {
+    const Json& checked = at(shot, "checked");
+    if (checked.is_null()) continue;
+    const auto depth = number(checked, "run_depth_m");
+    table.rows.push_back(
+        {text(shot, "label"), shown(number(checked, "runs")),
+         depth ? with_error(length(depth), value_words(checked, "run_standard_error_m", 2)) : text(checked, "outcome"),
+         value_words(shot, "depth_m"), shown(number(checked, "standardised_difference"), 2)});
+  }
+  if (table.rows.size() == 1) table.rows.clear();
+  return table;
+}
+
+Table elsewhere_table(const Json& result) {
+  Table table{.caption = "Under the other hypotheses", .rows = {{"shot", "depth"}}, .notes = {}};
+  for (const Json& shot : list(result, "shots")) {
+    std::string depths;
+    for (const double depth : numbers(at(shot, "elsewhere_m")))
+      depths += (depths.empty() ? "" : ", ") + length(depth, 3);
+    if (!depths.empty()) table.rows.push_back({text(shot, "label"), depths});
+  }
+  if (table.rows.size() == 1) table.rows.clear();
+  return table;
+}
+
+Figure curve_figure(const Json& result) {
+  const Json& curve = list(result, "curve");
+  double deepest = 0;
+  for (const Json& point : curve) deepest = std::max(deepest, number_or(point, "depth_m", 0));
+  const ShownUnit unit = length_unit(deepest);
+  Series shot = series(level_words(result) + " of single shots", Mark::band, 1),
+         mean = series(level_words(result) + " of the mean", Mark::band, 0), line = series("predicted", Mark::line, 0),
+         fitted = series("fired", Mark::points, 2), least = series("fired, or deeper", Mark::points, -1),
+         asked = series("", Mark::points_with_bars, 3);
+  const auto bar = [&](Series& series, const Json& point, const char* interval) {
+    const Json& ends = at(point, interval);
+    add_bar(series, number_or(point, "speed_m_s", nowhere), number_or(point, "depth_m", nowhere) / unit.size,
+            number_or(ends, "low", nowhere) / unit.size, number_or(ends, "high", nowhere) / unit.size);
+  };
+  for (const Json& point : curve) {
+    bar(shot, point, "shot_interval_m");
+    bar(mean, point, "mean_interval_m");
+    add_point(line, number_or(point, "speed_m_s", nowhere), number_or(point, "depth_m", nowhere) / unit.size);
+  }
+  for (const Json& point : list(result, "fired"))
+    add_point(yes(point, "at_least") ? least : fitted, number_or(point, "speed_m_s", nowhere),
+              number_or(point, "measured_depth_m", nowhere) / unit.size);
+  for (const Json& point : list(result, "shots")) {
+    asked.name = "this shot";
+    bar(asked, point, "shot_interval_m");
+  }
+  Chart chart{.title = "Depth over speed in " + text(result, "material"),
+              .x = {.label = "speed, m/s"},
+              .y = {.label = "depth, " + unit.name, .low = 0}};
+  const std::size_t measured = fitted.x.size() + least.x.size();
+  for (Series* one : {&shot, &mean, &line, &fitted, &least, &asked}) add(chart, std::move(*one));
+  return {.name = "depth_over_speed",
+          .caption = fmt::format("Depth over speed of {}. Bands: where {} of single shots, and their mean, would lie. "
+                                 "Points: {} of such spheres that the calibration knows.",
+                                 sphere_words(at(result, "like")), level_words(result),
+                                 counted(static_cast<long>(measured), "shot")),
+          .alt = fmt::format("Depth over speed with its bands; {} beside it.",
+                             counted(static_cast<long>(measured), "measured point")),
+          .chart = chart};
+}
+
+Section answer_section(const Json& result) {
+  Section section{.id = "answer", .title = "Predicted", .blocks = {}, .detail = Detail::answer};
+  add(section, List{texts(at(result, "findings")), Tone::warning});
+  const Json& shots = list(result, "shots");
+  if (!shots.empty()) add(section, shot_table(result));
+  if (yes(result, "speed_was_a_range")) add(section, curve_table(result));
+  if (!shots.empty()) add(section, checked_table(shots));
+  return section;
+}
+
+Section curve_section(const Json& result) {
+  Section section{.id = "curve", .title = "Depth over speed", .blocks = {}};
+  if (!list(result, "curve").empty()) add(section, curve_figure(result));
+  return section;
+}
+
+Section errors_section(const Json& result) {
+  Section section{.id = "errors", .title = "How sure it is", .blocks = {}};
+  const Json& shots = list(result, "shots");
+  if (shots.empty()) return section;
+  add(section, error_table(shots));
+  add(section, elsewhere_table(result));
+  return section;
+}
+
+}  // namespace
+
+page::Page predict_page(const Json& result) {
+  Page page{.title = text(result, "title"), .summary = summary_of(result), .sections = {}};
+  add(page, answer_section(result));
+  add(page, curve_section(result));
+  add(page, errors_section(result));
+  add(page, provenance_section(result));
+  add(page, input_section(result));
+  return page;
+}
+
+}  // namespace percal

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "percal/plot/quoted.hpp"
+#include "percal/predict/page/page.hpp"
+
+namespace percal {
+namespace {
+
+using page::finite;
+using page::Json;
+
+Json between_to_json(const Between& between) {
+  return {{"low", finite(between.low)}, {"high", finite(between.high)}, {"low_open", false}, {"high_open", false}};
+}
+
+Json shot_to_json(const SphereShot& shot) {
+  return {{"radius_m", shot.radius},
+          {"density_kg_m3", shot.density},
+          {"speed_m_s", shot.speed},
+          {"layer_depth_m", shot.layer_depth}};
+}
+
+Json depth_to_json(const DepthPrediction& depth) {
+  return {{"depth_m", finite(depth.depth)},
+          {"mean_interval_m", between_to_json(depth.mean)},
+          {"shot_interval_m", between_to_json(depth.shot)},
+          {"passes_probability", finite(depth.passes)},
+          {"speed_exponent", finite(depth.speed_exponent)},
+          {"errors",
+           {{"parameters", finite(depth.by_parameters)},
+            {"emulator", finite(depth.by_emulator)},
+            {"scatter", finite(depth.by_scatter)},
+            {"speed", finite(depth.by_speed)}}},
+          {"outside", depth.outside}};
+}
+
+Json checked_to_json(const CheckedByRuns& checked) {
+  return {{"runs", checked.runs},
+          {"outcome", word(checked.penetration.outcome)},
+          {"run_depth_m", finite(checked.penetration.depth)},
+          {"run_standard_error_m", finite(checked.penetration.standard_error)},
+          {"standardised_difference", finite(checked.standardised)}};
+}
+
+Json predicted_to_json(const ShotPrediction& one) {
+  Json json = shot_to_json(one.shot);
+  json.update(depth_to_json(one.depth));
+  json["label"] = one.shot.label;
+  json["elsewhere_m"] = one.elsewhere;
+  json["checked"] = one.checked ? checked_to_json(*one.checked) : Json();
+  return json;
+}
+
+const char* unit_of(ShotNumber number) {
+  return number == ShotNumber::speed ? "_m_s" : number == ShotNumber::diameter ? "_m" : "_kg_m3";
+}
+
+Json solved_to_json(const PredictRequest& request, const SolvedShot& solved) {
+  const auto key_of = [&](const std::string& key) { return key + unit_of(*request.looked_for); };
+  Json json{{"looked_for", word(*request.looked_for)}, {"found", solved.found}, {"wanted_depth_m", request.depth}};
+  json[key_of("value")] = solved.found ? finite(solved.value) : Json();
+  json[key_of("value_mean_interval")] = solved.found ? between_to_json(solved.mean) : Json();
+  json[key_of("value_shot_interval")] = solved.found ? between_to_json(solved.shot) : Json();
+  return json;
+}
+
+Json words_to_json(const PredictWords& words, const std::string& result) {
+  Json json{{"result", result}};
+  for (const auto& [key, said] : {std::pair{"material", &words.material},
+                                  {"hypothesis", &words.hypothesis},
+                                  {"speed", &words.speed},
+                                  {"radius", &words.radius},
+                                  {"diameter", &words.diameter},
+                                  {"particle_density", &words.density},
+                                  {"particle_mass", &words.mass},
+                                  {"layer_depth", &words.layer_depth},
+                                  {"speed_error", &words.speed_error},
+                                  {"shots", &words.shots},
+                                  {"depth", &words.depth},
+                                  {"solve_for", &words.solve_for}})
+    if (!said->empty()) json[key] = *said;
+  return json;
+}
+
+}  // namespace
+
+Json prediction_to_json(const Prediction& prediction, const std::string& result) {
+  const PredictRequest& request = prediction.request;
+  Json shots = Json::array(), curve = Json::array(), fired = Json::array();
+  for (const ShotPrediction& one : prediction.shots) shots.push_back(predicted_to_json(one));
+  for (std::size_t k = 0; k < prediction.curve.size(); ++k) {
+    curve.push_back(depth_to_json(prediction.curve[k]));
+    curve.back()["speed_m_s"] = prediction.speeds[k];
+  }
+  for (const FiredShot& shot : prediction.fired)
+    fired.push_back({{"label", shot.label},
+                     {"speed_m_s", shot.speed},
+                     {"measured_depth_m", shot.depth},
+                     {"at_least", shot.at_least},
+                     {"fitted", shot.fitted}});
+  Json json = page::result_head("predict", words_to_json(request.words, result));
+  json.update({{"title", "Shots into " + prediction.material},
+               {"level", request.level},
+               {"material", prediction.material},
+               {"hypothesis", prediction.hypothesis},
+               {"shots", shots},
+               {"like", request.shots.empty() ? Json() : shot_to_json(request.shots.front())},
+               {"speed_was_a_range", request.speeds.has_value()},
+               {"curve", curve},
+               {"fired", fired},
+               {"solved", prediction.solved ? solved_to_json(request, *prediction.solved) : Json()},
+               {"findings", prediction.findings},
+               {"cost", page::cost_to_json(prediction.cost)}});
+  return json;
+}
+
+std::string prediction_to_csv(const Prediction& prediction) {
+  std::string csv =
+      "label,radius_m,density_kg_m3,speed_m_s,layer_depth_m,depth_m,mean_low_m,mean_high_m,shot_low_m,shot_high_m,"
+      "passes_probability,outside\n";
+  const auto row = [&](const std::string& label, const SphereShot& shot, const DepthPrediction& depth) {
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_quoted(label), shot.radius, shot.density,
+                       shot.speed, shot.layer_depth, depth.depth, depth.mean.low, depth.mean.high, depth.shot.low,
+                       depth.shot.high, depth.passes, csv_quoted(fmt::format("{}", fmt::join(depth.outside, "; "))));
+  };
+  for (const ShotPrediction& one : prediction.shots) row(one.shot.label, one.shot, one.depth);
+  if (prediction.request.speeds)
+    for (std::size_t k = 0; k < prediction.curve.size(); ++k) {
+      SphereShot shot = prediction.request.shots.front();
+      shot.speed = prediction.speeds[k];
+      row("", shot, prediction.curve[k]);
+    }
+  return csv;
+}
+
+}  // namespace percal

@@ -1,0 +1,172 @@
+#include "percal/predict/predictor.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/math/root.hpp"
+#include "percal/predict/mixture.hpp"
+
+namespace percal {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double least_deviation = 1e-6;  // of ln depth: nothing is known better
+constexpr double same = 1e-6;             // relative: numbers of two shots that differ by rounding alone
+constexpr double close_enough = 1e-7;     // of the logarithm of a number that is solved for
+
+Between interval_of(const Mixture& mixture, double level) {
+  return {mixture.quantile(0.5 - level / 2), mixture.quantile(0.5 + level / 2)};
+}
+
+Between natural(const Between& logarithms) { return {std::exp(logarithms.low), std::exp(logarithms.high)}; }
+
+SphereShot with(SphereShot shot, ShotNumber number, double value) {
+  if (number == ShotNumber::speed) shot.speed = value;
+  if (number == ShotNumber::density) shot.density = value;
+  if (number == ShotNumber::diameter) {
+    shot.layer_width *= value / 2 / shot.radius;  // as wide in radii
+    shot.radius = value / 2;
+  }
+  return shot;
+}
+
+double number_of(const SphereShot& shot, ShotNumber number) {
+  if (number == ShotNumber::speed) return shot.speed;
+  return number == ShotNumber::density ? shot.density : 2 * shot.radius;
+}
+
+}  // namespace
+
+Predictor::Predictor(const ShotModel& model, int hypothesis, int material, double level)
+    : model_(&model),
+      emulator_(model.runs, model.settings),
+      scale_(scale_of(model.runs)),
+      hypothesis_(hypothesis),
+      material_(material),
+      level_(level) {}
+
+MatrixXd Predictor::log_depths(std::span<const SphereShot> shots) const {
+  std::vector<SphereInputs> at;
+  for (const SphereShot& shot : shots)
+    for (const LayerMaterial& point : material().points) at.push_back(shot_inputs(shot, point).at);
+  const auto points = static_cast<Eigen::Index>(material().points.size());
+  MatrixXd depths = emulator_.depth(at, 1 / model_->elements, false)
+                        .log_depth.reshaped(points, static_cast<Eigen::Index>(shots.size()));
+  for (std::size_t k = 0; k < shots.size(); ++k)
+    depths.col(static_cast<Eigen::Index>(k)).array() += std::log(shots[k].radius);
+  return depths;
+}
+
+Predictor Predictor::under(int hypothesis) const {
+  Predictor other = *this;
+  other.hypothesis_ = hypothesis;
+  return other;
+}
+
+std::vector<double> Predictor::best_depths(std::span<const SphereShot> shots) const {
+  std::vector<SphereInputs> at;
+  for (const SphereShot& shot : shots) at.push_back(shot_inputs(shot, material().points.front()).at);
+  const VectorXd logarithms = emulator_.depth(at, 1 / model_->elements, false).log_depth;
+  std::vector<double> depths;
+  for (std::size_t k = 0; k < shots.size(); ++k)
+    depths.push_back(shots[k].radius * std::exp(logarithms[static_cast<Eigen::Index>(k)]));
+  return depths;
+}
+
+std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots, double speed_error) const {
+  const MatrixXd of_points = log_depths(shots);
+  std::vector<DepthPrediction> predictions;
+  for (std::size_t k = 0; k < shots.size(); ++k) {
+    const ShotInputs best = shot_inputs(shots[k], material().points.front());
+    const DepthAnswers answer = emulator_.depth({best.at}, 1 / model_->elements, true);
+    DepthPrediction prediction;
+    prediction.speed_exponent = answer.gradient.row(0).dot(best.by_log_speed);
+    prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
+    prediction.by_scatter = material().scatter;
+    prediction.by_speed = std::abs(prediction.speed_exponent) * speed_error;
+    Mixture mean{.centres = of_points.col(static_cast<Eigen::Index>(k)),
+                 .deviation = std::max(least_deviation, prediction.by_emulator)};
+    prediction.by_parameters = mean.spread();
+    prediction.depth = std::exp(mean.centres[0]);
+    prediction.mean = natural(interval_of(mean, level_));
+    Mixture shot = mean;
+    shot.deviation = std::hypot(mean.deviation, prediction.by_scatter, prediction.by_speed);
+    shot.freedom = material().freedom;
+    prediction.shot = natural(interval_of(shot, level_));
+    prediction.passes = 1 - shot.share_below(std::log(shots[k].layer_depth));
+    prediction.outside = outside(shots[k]);
+    predictions.push_back(std::move(prediction));
+  }
+  return predictions;
+}
+
+// Each point of the sample has a root of its own; about it an error of ln depth is one of the number by the depth's slope.
+SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double depth) const {
+  const double begin = std::log(number_of(like, wanted)), reach = std::log(solved_within);
+  const auto& points = material().points;
+  const auto excess = [&](const LayerMaterial& point, double log_number) {
+    const SphereShot shot = with(like, wanted, std::exp(log_number));
+    return emulator_.depth({shot_inputs(shot, point).at}, 1 / model_->elements, false).log_depth[0] +
+           std::log(shot.radius / depth);
+  };
+  Mixture mixture{.centres = VectorXd(static_cast<Eigen::Index>(points.size()))};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto of_point = [&](double log_number) { return excess(points[k], log_number); };
+    // The first bracket is about the last root: those of a sample lie close together.
+    const double centre = k == 0 ? begin : mixture.centres[static_cast<Eigen::Index>(k) - 1];
+    double step = k == 0 ? 0.5 : 0.1, low = centre - step, high = centre + step;
+    while (of_point(low) > 0 && low > begin - reach) low -= (step *= 2);
+    while (of_point(high) < 0 && high < begin + reach) high += (step *= 2);
+    if (of_point(low) > 0 || of_point(high) < 0) return {};
+    mixture.centres[static_cast<Eigen::Index>(k)] = root(of_point, low, high, close_enough);
+  }
+  SolvedShot solved;
+  solved.found = true;
+  solved.value = std::exp(mixture.centres[0]);
+  solved.at = with(like, wanted, solved.value);
+  const DepthPrediction there = depths(std::span(&solved.at, 1)).front();
+  constexpr double small = 0.01;
+  const double slope =
+      (excess(points[0], mixture.centres[0] + small) - excess(points[0], mixture.centres[0] - small)) / (2 * small);
+  const double per_depth = 1 / std::max(std::abs(slope), small);
+  mixture.deviation = std::max(least_deviation, there.by_emulator) * per_depth;
+  solved.mean = natural(interval_of(mixture, level_));
+  mixture.deviation = std::hypot(there.by_emulator, there.by_scatter) * per_depth;
+  mixture.freedom = material().freedom;
+  solved.shot = natural(interval_of(mixture, level_));
+  solved.outside = there.outside;
+  return solved;
+}
+
+// Beyond the material's fitted shots, or beyond the emulator's runs.
+std::vector<std::string> Predictor::outside(const SphereShot& shot) const {
+  std::vector<std::string> found;
+  const auto compare = [&](const char* name, const Dimension& dimension, auto number) {
+    double low = HUGE_VAL, high = 0;
+    for (const FiredShot& fired : model_->shots)
+      if (fired.material == material_ && fired.fitted) {
+        low = std::min(low, number(fired));
+        high = std::max(high, number(fired));
+      }
+    const double value = number(shot);
+    if (high == 0 || (value >= low * (1 - same) && value <= high * (1 + same))) return;
+    const auto words = [&](double x) { return format_quantity(x, dimension, 3); };
+    const std::string range = high <= low * (1 + same) ? words(low) : words(low) + " to " + words(high);
+    found.push_back(fmt::format("{} {}, fitted {}", name, words(value), range));
+  };
+  compare("speed", dimension::speed, [](const SphereShot& s) { return s.speed; });
+  compare("diameter", dimension::length, [](const SphereShot& s) { return 2 * s.radius; });
+  compare("density", dimension::density, [](const SphereShot& s) { return s.density; });
+  compare("layer", dimension::length, [](const SphereShot& s) { return s.layer_depth; });
+  const VectorXd scaled = scale_.scaled(shot_inputs(shot, material().points.front()).at);
+  if (scaled.cwiseAbs().maxCoeff() > 1 + same)
+    found.push_back(fmt::format("the emulator's runs end {:.0f} % of their range before it",
+                                50 * (scaled.cwiseAbs().maxCoeff() - 1)));
+  return found;
+}
+
+}  // namespace percal

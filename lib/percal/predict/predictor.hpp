@@ -1,0 +1,74 @@
+// Depths of shots that were not fired, from what a calibration has kept: by the emulator, over the sample of its parameters.
+//                                                                                               docs/theory/prediction.md
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "percal/invert/depth_covariance.hpp"
+#include "percal/predict/shot_model.hpp"
+
+namespace percal {
+
+// Ends of an interval, in the unit of what it is of.
+struct Between {
+  double low = 0, high = 0;
+};
+
+// The depth of a shot in a layer that it does not pass through.
+struct DepthPrediction {
+  double depth = 0;           // m: at the best point of the sample
+  Between mean;               // m: of the mean over many such shots: parameters and emulator
+  Between shot;               // m: of one such shot: its scatter and its speed's error, too
+  double passes = 0;          // probability that one such shot goes as deep as the layer
+  double speed_exponent = 0;  // d ln depth / d ln speed
+  // Standard deviations of ln depth by source.
+  double by_parameters = 0, by_emulator = 0, by_scatter = 0, by_speed = 0;
+  std::vector<std::string> outside;  // in which ways this goes beyond what the calibration has seen; empty: in none
+};
+
+// Which of a shot's numbers is looked for.
+enum class ShotNumber { speed, diameter, density };
+
+// The number at which the depth is a given one.
+struct SolvedShot {
+  bool found = false;  // false: not within a factor of `solved_within` of where the search began
+  SphereShot at;       // with the number that was found
+  double value = 0;    // speed, diameter or density, SI
+  Between mean;        // where the mean depth is the given one: parameters and emulator
+  Between shot;        // where the depth of one shot may be: its scatter, too
+  std::vector<std::string> outside;
+};
+inline constexpr double solved_within = 30;
+
+class Predictor {
+ public:
+  // Of one material under one hypothesis (indices), with intervals at `level`. Keeps a pointer to the model.
+  Predictor(const ShotModel& model, int hypothesis, int material, double level);
+
+  // `speed_error`: relative standard deviation of every speed.
+  std::vector<DepthPrediction> depths(std::span<const SphereShot> shots, double speed_error = 0) const;
+
+  // The speed, diameter or density of a shot that is otherwise `like` this, for which the depth is `depth` (m).
+  SolvedShot solve(ShotNumber wanted, const SphereShot& like, double depth) const;
+
+  // The same material under another hypothesis, by the same emulator; depths at its best point, m.
+  Predictor under(int hypothesis) const;
+  std::vector<double> best_depths(std::span<const SphereShot> shots) const;
+
+  const MaterialSample& material() const { return model_->hypotheses[hypothesis_].materials[material_]; }
+
+ private:
+  // ln depth in m: of each point of the sample (rows) for each shot.
+  Eigen::MatrixXd log_depths(std::span<const SphereShot> shots) const;
+  std::vector<std::string> outside(const SphereShot& shot) const;
+
+  const ShotModel* model_;
+  Emulator emulator_;
+  InputScale scale_;  // of its runs
+  int hypothesis_, material_;
+  double level_;
+};
+
+}  // namespace percal

@@ -1,0 +1,50 @@
+// What is asked of a finished calibration, as a user says it and as it is understood.             docs/formats/predict.md
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "percal/predict/predictor.hpp"
+#include "percal/text/one_value.hpp"
+
+namespace percal {
+
+// Texts with units, as options have them; empty where nothing is said.
+struct PredictWords {
+  std::string material = {}, hypothesis = {};  // names; a hypothesis also by its number, from 1
+  std::string speed = {};                      // a quantity, or a range "50..250 m/s"
+  std::string radius = {}, diameter = {};      // one of the two
+  std::string density = {}, mass = {};         // of the sphere, one of the two
+  std::string layer_depth = {};
+  std::string speed_error = {};  // a share: standard deviation of every speed
+  std::string shots = {};        // CSV of many shots; a column stands before the option of its name
+  std::string depth = {};        // given: what gives it is looked for
+  std::string solve_for = {};    // speed, diameter, density
+  std::optional<double> level = {};
+};
+
+struct NamedShot : SphereShot {
+  std::string label;
+};
+
+struct PredictRequest {
+  PredictWords words;
+  int hypothesis = 0, material = 0;  // indices
+  double level = 0.95;
+  double speed_error = 0;        // relative
+  std::vector<NamedShot> shots;  // of which depths are asked; one where a number is looked for: what it has in common
+  std::optional<QuantityRange> speeds;   // of a curve of depth over speed, m/s
+  std::optional<ShotNumber> looked_for;  // the number at which the depth is
+  double depth = 0;                      // this one, m
+};
+
+inline const char* word(ShotNumber number) {
+  constexpr const char* words[] = {"speed", "diameter", "density"};
+  return words[static_cast<int>(number)];
+}
+
+// What is left out is what the material's fitted shots have in common. Throws BadInput for what is not understood, for a number that they do
+// not have in common and nobody says.
+PredictRequest understood(const PredictWords& words, const ShotModel& model);
+
+}  // namespace percal

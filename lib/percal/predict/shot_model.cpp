@@ -1,0 +1,229 @@
+#include "percal/predict/shot_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "percal/base/error.hpp"
+
+namespace percal {
+namespace {
+
+using page::at;
+using page::Json;
+using page::list;
+
+constexpr const char* input_names[] = {"ln_pi4",
+                                       "ln_pi5",
+                                       "alpha",
+                                       "erosion_strain",
+                                       "ln_depth_over_radius",
+                                       "ln_bulk_ratio",
+                                       "ln_erosion_length_over_radius"};
+static_assert(std::size(input_names) == sphere_inputs);
+
+double wanted(const Json& object, const std::string& key) {
+  const auto value = page::number(object, key);
+  if (!value) throw page::MissingKey(key);
+  return *value;
+}
+
+// The first `inputs` of them, in the order of SphereInputs.
+Json lengths_to_json(const std::array<double, sphere_inputs>& length, int inputs) {
+  Json all = Json::object();
+  for (int i = 0; i < inputs; ++i) all[input_names[i]] = page::finite(length[i]);
+  return all;
+}
+
+std::array<double, sphere_inputs> lengths_of(const Json& json) {
+  std::array<double, sphere_inputs> length{};
+  for (int i = 0; i < sphere_inputs; ++i) length[i] = page::number(page::maybe(json, input_names[i])).value_or(0);
+  return length;
+}
+
+Json settings_to_json(const EmulatorSettings& settings) {
+  const int inputs = settings.inputs();
+  return {{"amplitude", page::finite(settings.amplitude)},
+          {"length", lengths_to_json(settings.length, inputs)},
+          {"mesh_amplitude", page::finite(settings.mesh_amplitude)},
+          {"mesh_length", lengths_to_json(settings.mesh_length, inputs)},
+          {"mesh_order", page::finite(settings.mesh_order)},
+          {"noise", page::finite(settings.noise)},
+          {"noise_order", page::finite(settings.noise_order)},
+          {"log_likelihood", page::finite(settings.log_likelihood)},
+          {"likelihood_evaluations", settings.evaluations}};
+}
+
+EmulatorSettings settings_of(const Json& json) {
+  return {.amplitude = wanted(json, "amplitude"),
+          .length = lengths_of(at(json, "length")),
+          .mesh_amplitude = wanted(json, "mesh_amplitude"),
+          .mesh_length = lengths_of(at(json, "mesh_length")),
+          .mesh_order = wanted(json, "mesh_order"),
+          .noise = wanted(json, "noise"),
+          .noise_order = wanted(json, "noise_order"),
+          .log_likelihood = wanted(json, "log_likelihood"),
+          .evaluations = static_cast<int>(wanted(json, "likelihood_evaluations"))};
+}
+
+// The inputs in the order of SphereInputs, the element's size and ln(depth/radius).
+Json run_to_json(const TrainingRun& run) {
+  Json row = Json::array();
+  for (double SphereInputs::*input : sphere_input_order) row.push_back(run.at.*input);
+  row.push_back(run.h);
+  row.push_back(run.log_depth);
+  return row;
+}
+
+// The numbers of a row of the wanted length.
+std::vector<double> row_of(const Json& json, std::size_t length, const char* key) {
+  std::vector<double> row = page::numbers(json);
+  if (row.size() != length || std::any_of(row.begin(), row.end(), [](double x) { return !std::isfinite(x); }))
+    throw page::MissingKey(key);
+  return row;
+}
+
+TrainingRun run_of(const Json& json) {
+  const auto row = row_of(json, sphere_inputs + 2, "runs");
+  TrainingRun run{.at = {}, .h = row[sphere_inputs], .log_depth = row[sphere_inputs + 1]};
+  for (int k = 0; k < sphere_inputs; ++k) run.at.*sphere_input_order[k] = row[k];
+  return run;
+}
+
+constexpr std::size_t numbers_of_point = 4;
+
+Json point_to_json(const LayerMaterial& point) {
+  return Json::array({point.mu_true, point.alpha, point.erosion_strain, page::finite(point.erosion_length)});
+}
+
+LayerMaterial point_of(const Json& json, double density) {
+  LayerMaterial point{.density = density};
+  if (!json.is_array() || json.size() != numbers_of_point) throw page::MissingKey("points");
+  const Json first = {json[0], json[1], json[2]};
+  const auto row = row_of(first, numbers_of_point - 1, "points");
+  point.mu_true = row[0];
+  point.alpha = row[1];
+  point.erosion_strain = row[2];
+  point.erosion_length = page::number(json[3]);
+  if (!(point.mu_true > 0 && point.erosion_strain > 0 && point.erosion_length.value_or(1) > 0))
+    throw page::MissingKey("points");
+  return point;
+}
+
+Json material_to_json(const MaterialSample& material) {
+  Json points = Json::array();
+  for (const LayerMaterial& point : material.points) points.push_back(point_to_json(point));
+  return {{"name", material.name},
+          {"density_kg_m3", material.points.front().density},
+          {"scatter", page::finite(material.scatter)},
+          {"freedom", page::finite(material.freedom)},
+          {"points", points}};
+}
+
+MaterialSample material_of(const Json& json) {
+  MaterialSample material{.name = page::text(json, "name"),
+                          .points = {},
+                          .scatter = wanted(json, "scatter"),
+                          .freedom = wanted(json, "freedom")};
+  const double density = wanted(json, "density_kg_m3");
+  for (const Json& point : list(json, "points")) material.points.push_back(point_of(point, density));
+  if (material.points.empty() || !(density > 0 && material.scatter >= 0 && material.freedom >= 0))
+    throw page::MissingKey("points");
+  return material;
+}
+
+Json hypothesis_to_json(const ShotHypothesis& hypothesis) {
+  Json materials = Json::array();
+  for (const MaterialSample& material : hypothesis.materials) materials.push_back(material_to_json(material));
+  return {{"name", hypothesis.name},
+          {"contradicted", hypothesis.contradicted},
+          {"mesh_error", page::finite(hypothesis.mesh_error)},
+          {"materials", materials}};
+}
+
+ShotHypothesis hypothesis_of(const Json& json) {
+  ShotHypothesis hypothesis{.name = page::text(json, "name"),
+                            .contradicted = page::yes(json, "contradicted"),
+                            .mesh_error = page::number_or(json, "mesh_error", 0),
+                            .materials = {}};
+  for (const Json& material : list(json, "materials")) hypothesis.materials.push_back(material_of(material));
+  if (hypothesis.materials.empty()) throw page::MissingKey("materials");
+  return hypothesis;
+}
+
+Json shot_to_json(const FiredShot& shot) {
+  return {{"label", shot.label},
+          {"material", shot.material},
+          {"radius_m", shot.radius},
+          {"density_kg_m3", shot.density},
+          {"speed_m_s", shot.speed},
+          {"layer_depth_m", shot.layer_depth},
+          {"layer_width_m", shot.layer_width},
+          {"depth_m", shot.depth},
+          {"at_least", shot.at_least},
+          {"fitted", shot.fitted}};
+}
+
+FiredShot shot_of(const Json& json, std::size_t materials) {
+  FiredShot shot;
+  shot.label = page::text(json, "label");
+  const double material = wanted(json, "material");
+  shot.material = static_cast<int>(material);
+  shot.radius = wanted(json, "radius_m");
+  shot.density = wanted(json, "density_kg_m3");
+  shot.speed = wanted(json, "speed_m_s");
+  shot.layer_depth = wanted(json, "layer_depth_m");
+  shot.layer_width = wanted(json, "layer_width_m");
+  shot.depth = wanted(json, "depth_m");
+  shot.at_least = page::yes(json, "at_least");
+  shot.fitted = page::yes(json, "fitted");
+  for (const double positive : {shot.radius, shot.density, shot.speed, shot.layer_depth, shot.layer_width, shot.depth})
+    if (!(positive > 0)) throw page::MissingKey("shots");
+  if (!(material >= 0 && material < static_cast<double>(materials))) throw page::MissingKey("material");
+  return shot;
+}
+
+}  // namespace
+
+Json shot_model_to_json(const ShotModel& model) {
+  Json shots = Json::array(), runs = Json::array(), hypotheses = Json::array();
+  for (const FiredShot& shot : model.shots) shots.push_back(shot_to_json(shot));
+  for (const TrainingRun& run : model.runs) runs.push_back(run_to_json(run));
+  for (const ShotHypothesis& hypothesis : model.hypotheses) hypotheses.push_back(hypothesis_to_json(hypothesis));
+  return {{"level", model.level},
+          {"elements", model.elements},
+          {"replicates", model.replicates},
+          {"scene_of_runs", model.scene},
+          {"shots", shots},
+          {"runs", runs},
+          {"settings", settings_to_json(model.settings)},
+          {"hypotheses", hypotheses}};
+}
+
+ShotModel shot_model_of(const Json& result, const std::string& file) {
+  const std::string accepted = "the result.json of a percal calibrate with shots and a hypothesis that was fitted";
+  if (!result.is_object() || page::maybe(result, "command") != "calibrate")
+    throw BadInput({file, 0, "command"}, "no result of a calibration", accepted);
+  const Json& json = at(result, "shot_model");
+  if (json.is_null()) throw BadInput({file, 0, "shot_model"}, "a calibration that knows of no shots", accepted);
+  ShotModel model{.level = wanted(json, "level"),
+                  .elements = wanted(json, "elements"),
+                  .replicates = static_cast<int>(wanted(json, "replicates")),
+                  .scene = page::text(json, "scene_of_runs"),
+                  .shots = {},
+                  .runs = {},
+                  .settings = settings_of(at(json, "settings")),
+                  .hypotheses = {}};
+  if (!(model.level > 0 && model.level < 1)) throw page::MissingKey("level");
+  if (!(model.elements > 0)) throw page::MissingKey("elements");
+  for (const Json& run : list(json, "runs")) model.runs.push_back(run_of(run));
+  for (const Json& hypothesis : list(json, "hypotheses")) model.hypotheses.push_back(hypothesis_of(hypothesis));
+  if (model.hypotheses.empty()) throw page::MissingKey("hypotheses");
+  for (const ShotHypothesis& hypothesis : model.hypotheses)
+    if (hypothesis.materials.size() != model.hypotheses.front().materials.size()) throw page::MissingKey("materials");
+  for (const Json& shot : list(json, "shots"))
+    model.shots.push_back(shot_of(shot, model.hypotheses.front().materials.size()));
+  if (model.shots.empty()) throw page::MissingKey("shots");
+  return model;
+}
+
+}  // namespace percal

@@ -1,0 +1,54 @@
+// What a finished calibration knows about shots that were not fired, without its job, its tables and its runs: the emulator, and for each
+// hypothesis the materials' numbers that the data do not rule out.                              docs/theory/prediction.md
+#pragma once
+#include <string>
+#include <vector>
+
+#include "percal/invert/emulator.hpp"
+#include "percal/page/result.hpp"
+#include "percal/predict/sphere_shot.hpp"
+
+namespace percal {
+
+// A material under one hypothesis.
+struct MaterialSample {
+  std::string name;
+  std::vector<LayerMaterial> points;  // the best first, then a sample of those that the data allow
+  double scatter = 0;                 // of ln depth of one shot about the model, standard deviation
+  double freedom = 0;                 // degrees of freedom that tell it; 0: it is known
+};
+
+struct ShotHypothesis {
+  std::string name;
+  bool contradicted = false;              // its data disagree under it
+  double mesh_error = 0;                  // relative: depth on no mesh over depth on the predicting one, less 1
+  std::vector<MaterialSample> materials;  // in the order of the job, the same under every hypothesis
+};
+
+// A shot that was fired.
+struct FiredShot : SphereShot {
+  std::string label;
+  int material = 0;       // index
+  double depth = 0;       // m
+  bool at_least = false;  // it went this deep or deeper
+  bool fitted = true;
+};
+
+struct ShotModel {
+  double level = 0.95;
+  double elements = 0;     // of the mesh that predictions are of: per radius, or in the erosion length
+  int replicates = 1;      // of a run that checks a prediction
+  std::string scene = {};  // TOML of a run: its solver's settings
+  std::vector<FiredShot> shots;
+  std::vector<TrainingRun> runs;
+  EmulatorSettings settings;
+  std::vector<ShotHypothesis> hypotheses;  // never empty
+};
+
+page::Json shot_model_to_json(const ShotModel& model);
+
+// The model of a result.json. Throws BadInput where `result` is no result of percal calibrate, or one without shots; page::MissingKey and
+// Json's own exceptions where it was cut by hand.
+ShotModel shot_model_of(const page::Json& result, const std::string& file);
+
+}  // namespace percal

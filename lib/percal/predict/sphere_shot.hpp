@@ -1,0 +1,48 @@
+// A sphere shot into a layer of a known material: as a scene to run, and as inputs of the emulator.   docs/theory/prediction.md
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "percal/invert/emulator.hpp"
+#include "percal/scene/scene.hpp"
+
+namespace percal {
+
+// A rigid sphere straight down into one layer; SI.
+struct SphereShot {
+  double radius = 0, density = 0;  // m, kg/m3: of the sphere
+  double speed = 0;                // m/s
+  double layer_depth = 0;          // m
+  double layer_width = 0;          // m: radius of the fixed outer wall
+};
+
+// "3.18 mm at 83 m/s".
+std::string words_of(const SphereShot& shot);
+
+// The numbers of the layer's material.
+struct LayerMaterial {
+  double density = 0;  // kg/m3
+  double mu_true = 0;  // Pa
+  double alpha = 0;
+  double erosion_strain = 0;                  // engineering: the critical stretch less 1
+  std::optional<double> erosion_length = {};  // m
+};
+
+// Elements per radius of a mesh with so many elements in the material's erosion length, or per radius where it has none.
+double mesh_of(const SphereShot& shot, const LayerMaterial& material, double elements);
+
+// What `scene` becomes for the shot: particle and target; its mesh and its solver stay. A sphere is rigid, as in every published run; K/mu
+// keeps the Mach number below 0.3.
+Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& material);
+
+// The emulator's inputs for a shot: those of its problem (inputs_of), but for the problem's rounding, over which nothing could be
+// differentiated. With their derivatives.
+struct ShotInputs {
+  SphereInputs at;
+  Eigen::Matrix<double, sphere_inputs, 4> by_material;  // ln mu_true, alpha, erosion strain, ln erosion length
+  Eigen::Vector<double, sphere_inputs> by_log_speed;
+};
+ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& material);
+
+}  // namespace percal

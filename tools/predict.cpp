@@ -1,0 +1,61 @@
+// percal predict RESULT: shots that were not fired, from a finished calibration.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "pages.hpp"
+#include "percal/campaign/run_cost.hpp"
+#include "percal/page/figures.hpp"
+#include "percal/predict/page/page.hpp"
+#include "percal/predict/prediction.hpp"
+#include "percal/text/file.hpp"
+
+namespace percal::tools {
+namespace {
+
+ShotModel read_shot_model(const std::string& path) {
+  const NamedResult result = read_json_result(path);
+  const std::string accepted = "a value as percal calibrate wrote it";
+  try {
+    return shot_model_of(result.json, result.file);
+  } catch (const page::MissingKey& missing) {
+    throw BadInput({result.file, 0, missing.key}, "no such value", accepted);
+  } catch (const page::Json::exception& error) {
+    throw BadInput({result.file, 0, "shot_model"}, error.what(), accepted);
+  }
+}
+
+void write_files(const Prediction& prediction, const page::Json& json, const std::string& folder,
+                 const Common& common) {
+  write_file(folder + "/shots.csv", prediction_to_csv(prediction));
+  if (!page::write_figures(predict_page(json), folder, page::Pictures::svg) && common.talks())
+    fmt::print("figures were not drawn, since gnuplot is not there or failed; the CSV files have their points\n");
+}
+
+}  // namespace
+
+Exit run_predict(const PredictArguments& arguments, const Common& common) {
+  const auto start = std::chrono::steady_clock::now();
+  const ShotModel model = read_shot_model(arguments.result);
+  const PredictRequest request = understood(arguments.words, model);
+  if (common.check)
+    return say_valid(arguments.result + ": a calibration that can predict this",
+                     {{"command", "predict"}, {"result", arguments.result}}, common);
+  const std::string folder = common.out.empty() ? "" : out_folder(arguments.result, common);
+  Prediction prediction = predict(model, request);
+  prediction.cost.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (arguments.verify) {
+    Store store(common.store.empty() ? default_store_path() : common.store);
+    Campaign campaign(&store, common.threads);
+    check_by_runs(prediction, model, campaign);
+    prediction.cost = cost_since(start, campaign);
+  }
+  const page::Json json = prediction_to_json(prediction, arguments.result);
+  deliver(json, folder, common);
+  if (!folder.empty()) write_files(prediction, json, folder, common);
+  return prediction.solved && !prediction.solved->found ? Exit::outcome_not_reached : Exit::done;
+}
+
+}  // namespace percal::tools
