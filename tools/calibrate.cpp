@@ -14,7 +14,6 @@
 #include "percal/calibrate/run_sizes.hpp"
 #include "percal/calibrate/verdict.hpp"
 #include "percal/impact/kernel/kernel.hpp"
-#include "percal/page/figures.hpp"
 #include "percal/text/one_value.hpp"
 
 namespace percal::tools {
@@ -49,8 +48,7 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
   result.cost.instruction_level = instruction_level();
   const page::Json json = calibration_to_json(job, result);
   deliver(json, folder, common);
-  if (!folder.empty() && !page::write_figures(calibrate_page(json), folder, page::Pictures::svg) && common.talks())
-    fmt::print("figures were not drawn, since gnuplot is not there or failed; the CSV files have their points\n");
+  write_page_figures(calibrate_page(json), folder, common);
   for (const BestScene& best : best_scenes(job, result))
     write_scene(best.scene,
                 "A shot of " + job.title + " at what percal calibrate found, on the mesh of its fresh runs.", best.name,

@@ -10,6 +10,7 @@
 #include "percal/base/error.hpp"
 #include "percal/base/printable.hpp"
 #include "percal/base/version.hpp"
+#include "percal/page/figures.hpp"
 #include "percal/scene/document_kind.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/text/file.hpp"
@@ -50,6 +51,11 @@ void deliver(const Json& result, const std::string& folder, const Common& common
   fmt::print("{}", page::as_text(page_of_result(result, "this result"), style));
   if (!folder.empty())
     print(fmt::format("{}: the whole result{}\n", file, common.details ? "" : "; see --details, percal report"));
+}
+
+void write_page_figures(const page::Page& page, const std::string& folder, const Common& common) {
+  if (!folder.empty() && !page::write_figures(page, folder, page::Pictures::svg) && common.talks())
+    fmt::print("figures were not drawn, since gnuplot is not there or failed; the CSV files have their points\n");
 }
 
 void write_scene(const Scene& scene, const std::string& comment, const std::string& name, const std::string& folder) {

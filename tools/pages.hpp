@@ -26,6 +26,9 @@ page::ReadResult read_result(const std::string& path);
 // (--json), or its page as text, the answer alone or all of it (--details), or nothing (--quiet). Throws IoFailure.
 void deliver(const page::Json& result, const std::string& folder, const Common& common);
 
+// The page's figures in the folder, with a word where gnuplot could not draw them; nothing where there is no folder. Throws IoFailure.
+void write_page_figures(const page::Page& page, const std::string& folder, const Common& common);
+
 // FOLDER/scenes/NAME.toml, to be run by percal impact; nothing where there is no folder. Throws IoFailure.
 void write_scene(const Scene& scene, const std::string& comment, const std::string& name, const std::string& folder);
 

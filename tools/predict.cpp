@@ -1,13 +1,10 @@
 // percal predict RESULT: shots that were not fired, from a finished calibration.
-#include <fmt/format.h>
-
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/campaign/run_cost.hpp"
-#include "percal/page/figures.hpp"
 #include "percal/predict/page/page.hpp"
 #include "percal/predict/prediction.hpp"
 #include "percal/text/file.hpp"
@@ -21,17 +18,10 @@ ShotModel read_shot_model(const std::string& path) {
   try {
     return shot_model_of(result.json, result.file);
   } catch (const page::MissingKey& missing) {
-    throw BadInput({result.file, 0, missing.key}, "no such value", accepted);
+    throw BadInput({result.file, 0, missing.key}, "no value that can be used", accepted);
   } catch (const page::Json::exception& error) {
     throw BadInput({result.file, 0, "shot_model"}, error.what(), accepted);
   }
-}
-
-void write_files(const Prediction& prediction, const page::Json& json, const std::string& folder,
-                 const Common& common) {
-  write_file(folder + "/shots.csv", prediction_to_csv(prediction));
-  if (!page::write_figures(predict_page(json), folder, page::Pictures::svg) && common.talks())
-    fmt::print("figures were not drawn, since gnuplot is not there or failed; the CSV files have their points\n");
 }
 
 }  // namespace
@@ -54,7 +44,8 @@ Exit run_predict(const PredictArguments& arguments, const Common& common) {
   }
   const page::Json json = prediction_to_json(prediction, arguments.result);
   deliver(json, folder, common);
-  if (!folder.empty()) write_files(prediction, json, folder, common);
+  if (!folder.empty()) write_file(folder + "/shots.csv", prediction_to_csv(prediction));
+  write_page_figures(predict_page(json), folder, common);
   return prediction.solved && !prediction.solved->found ? Exit::outcome_not_reached : Exit::done;
 }
 

@@ -81,6 +81,8 @@ TEST_F(Asked, EveryFaultIsRefusedByName) {
   EXPECT_THAT(refusal({.speed = "90..80 m/s"}), HasSubstr("low before high"));
   EXPECT_THAT(refusal({.speed = "80 m/s", .radius = "1 mm", .diameter = "2 mm"}), HasSubstr("one of the two"));
   EXPECT_THAT(refusal({.speed = "80 m/s", .depth = "3 cm"}), HasSubstr("which looks for the speed"));
+  EXPECT_THAT(refusal({.speed = "50..80 m/s", .depth = "3 cm", .solve_for = "diameter"}),
+              HasSubstr("a range beside --depth"));
   EXPECT_THAT(refusal({.solve_for = "speed"}), HasSubstr("without --depth"));
   EXPECT_THAT(refusal({.depth = "3 cm", .solve_for = "mass"}), HasSubstr("speed, diameter or density"));
   EXPECT_THAT(refusal({.speed = "80 m/s", .layer_depth = "1 mm"}), HasSubstr("more than the sphere's radius"));

@@ -1,12 +1,9 @@
 #include "percal/invert/modulus.hpp"
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_roots.h>
-
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <memory>
+
+#include "percal/math/root.hpp"
 
 namespace percal {
 namespace {
@@ -67,36 +64,10 @@ class Search {
     }
   }
 
-  // GSL calls back from C, through which no exception may fly.
-  struct Callback {
-    Search* search;
-    std::exception_ptr failure;
-    static double call(double x, void* data) {
-      auto* self = static_cast<Callback*>(data);
-      if (self->failure) return 0;
-      try {
-        return self->search->misfit(x);
-      } catch (...) {
-        self->failure = std::current_exception();
-        return 0;
-      }
-    }
-  };
-
   void close_in(double soft, double stiff) {
-    gsl_set_error_handler_off();
-    Callback callback{this, nullptr};
-    gsl_function function{&Callback::call, &callback};
-    const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
-        gsl_root_fsolver_alloc(gsl_root_fsolver_brent), &gsl_root_fsolver_free);
-    int status = gsl_root_fsolver_set(solver.get(), &function, soft, stiff);
     const double narrow = options_.noise / expected_slope;
-    while (status == GSL_SUCCESS && !callback.failure) {
-      const double width = gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get());
-      if (std::abs(misfit(gsl_root_fsolver_root(solver.get()))) < options_.noise || width < narrow) return;
-      status = gsl_root_fsolver_iterate(solver.get());
-    }
-    if (callback.failure) std::rethrow_exception(callback.failure);
+    root([this](double log_modulus) { return misfit(log_modulus); }, soft, stiff,
+         [&](double estimate, double width) { return std::abs(misfit(estimate)) < options_.noise || width < narrow; });
   }
 
   struct Line {

@@ -34,6 +34,11 @@ struct Callback {
 }  // namespace
 
 double root(const std::function<double(double)>& function, double low, double high, double tolerance) {
+  return root(function, low, high, [&](double, double width) { return width < tolerance; });
+}
+
+double root(const std::function<double(double)>& function, double low, double high,
+            const std::function<bool(double estimate, double width)>& enough) {
   gsl_set_error_handler_off();
   Callback callback{function, nullptr};
   gsl_function called{&Callback::call, &callback};
@@ -41,7 +46,8 @@ double root(const std::function<double(double)>& function, double low, double hi
       gsl_root_fsolver_alloc(gsl_root_fsolver_brent), &gsl_root_fsolver_free);
   int status = gsl_root_fsolver_set(solver.get(), &called, low, high);
   for (int k = 0; k < most_iterations && status == GSL_SUCCESS && !callback.failure; ++k) {
-    if (gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get()) < tolerance) break;
+    const double width = gsl_root_fsolver_x_upper(solver.get()) - gsl_root_fsolver_x_lower(solver.get());
+    if (enough(gsl_root_fsolver_root(solver.get()), width)) break;
     status = gsl_root_fsolver_iterate(solver.get());
   }
   if (callback.failure) std::rethrow_exception(callback.failure);

@@ -8,4 +8,8 @@ namespace percal {
 // `tolerance`. What the function throws is thrown here. Asserts the signs.
 double root(const std::function<double(double)>& function, double low, double high, double tolerance);
 
+// The same until `enough` of the estimate and the bracket's width.
+double root(const std::function<double(double)>& function, double low, double high,
+            const std::function<bool(double estimate, double width)>& enough);
+
 }  // namespace percal

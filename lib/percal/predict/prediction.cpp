@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/math/statistics.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/page/sections.hpp"
-#include "percal/problem/replicates.hpp"
 #include "percal/scene/scene_toml.hpp"
 
 namespace percal {
@@ -92,7 +90,7 @@ Prediction predict(const ShotModel& model, const PredictRequest& request) {
                         .cost = {}};
   std::vector<NamedShot> asked = request.shots;
   if (request.looked_for) {
-    prediction.solved = predictor.solve(*request.looked_for, asked.front(), request.depth);
+    prediction.solved = predictor.solve(*request.looked_for, asked.front(), request.depth, request.speed_error);
     if (prediction.solved->found) {
       static_cast<SphereShot&>(asked.front()) = prediction.solved->at;
       asked.front().label = words_of(asked.front());

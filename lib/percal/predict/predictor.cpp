@@ -15,7 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double least_deviation = 1e-6;  // of ln depth: nothing is known better
-constexpr double same = 1e-6;             // relative: numbers of two shots that differ by rounding alone
 constexpr double close_enough = 1e-7;     // of the logarithm of a number that is solved for
 
 Between interval_of(const Mixture& mixture, double level) {
@@ -49,15 +48,13 @@ Predictor::Predictor(const ShotModel& model, int hypothesis, int material, doubl
       material_(material),
       level_(level) {}
 
-MatrixXd Predictor::log_depths(std::span<const SphereShot> shots) const {
+MatrixXd Predictor::log_depths(std::span<const LayerMaterial> points, std::span<const SphereShot> shots) const {
   std::vector<SphereInputs> at;
   for (const SphereShot& shot : shots)
-    for (const LayerMaterial& point : material().points) at.push_back(shot_inputs(shot, point).at);
-  const auto points = static_cast<Eigen::Index>(material().points.size());
-  MatrixXd depths = emulator_.depth(at, 1 / model_->elements, false)
-                        .log_depth.reshaped(points, static_cast<Eigen::Index>(shots.size()));
-  for (std::size_t k = 0; k < shots.size(); ++k)
-    depths.col(static_cast<Eigen::Index>(k)).array() += std::log(shots[k].radius);
+    for (const LayerMaterial& point : points) at.push_back(shot_inputs(shot, point).at);
+  const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(shots.size());
+  MatrixXd depths = emulator_.depth(at, 1 / model_->elements, false).log_depth.reshaped(rows, columns);
+  for (Eigen::Index k = 0; k < columns; ++k) depths.col(k).array() += std::log(shots[k].radius);
   return depths;
 }
 
@@ -68,17 +65,12 @@ Predictor Predictor::under(int hypothesis) const {
 }
 
 std::vector<double> Predictor::best_depths(std::span<const SphereShot> shots) const {
-  std::vector<SphereInputs> at;
-  for (const SphereShot& shot : shots) at.push_back(shot_inputs(shot, material().points.front()).at);
-  const VectorXd logarithms = emulator_.depth(at, 1 / model_->elements, false).log_depth;
-  std::vector<double> depths;
-  for (std::size_t k = 0; k < shots.size(); ++k)
-    depths.push_back(shots[k].radius * std::exp(logarithms[static_cast<Eigen::Index>(k)]));
-  return depths;
+  const MatrixXd depths = log_depths(std::span(material().points).first(1), shots).array().exp();
+  return {depths.data(), depths.data() + depths.size()};
 }
 
 std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots, double speed_error) const {
-  const MatrixXd of_points = log_depths(shots);
+  const MatrixXd of_points = log_depths(material().points, shots);
   std::vector<DepthPrediction> predictions;
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const ShotInputs best = shot_inputs(shots[k], material().points.front());
@@ -105,13 +97,12 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
 }
 
 // Each point of the sample has a root of its own; about it an error of ln depth is one of the number by the depth's slope.
-SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double depth) const {
+SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double depth, double speed_error) const {
   const double begin = std::log(number_of(like, wanted)), reach = std::log(solved_within);
   const auto& points = material().points;
   const auto excess = [&](const LayerMaterial& point, double log_number) {
     const SphereShot shot = with(like, wanted, std::exp(log_number));
-    return emulator_.depth({shot_inputs(shot, point).at}, 1 / model_->elements, false).log_depth[0] +
-           std::log(shot.radius / depth);
+    return log_depths(std::span(&point, 1), std::span(&shot, 1))(0, 0) - std::log(depth);
   };
   Mixture mixture{.centres = VectorXd(static_cast<Eigen::Index>(points.size()))};
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -128,14 +119,15 @@ SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double de
   solved.found = true;
   solved.value = std::exp(mixture.centres[0]);
   solved.at = with(like, wanted, solved.value);
-  const DepthPrediction there = depths(std::span(&solved.at, 1)).front();
+  const DepthPrediction there = depths(std::span(&solved.at, 1), speed_error).front();
   constexpr double small = 0.01;
   const double slope =
       (excess(points[0], mixture.centres[0] + small) - excess(points[0], mixture.centres[0] - small)) / (2 * small);
   const double per_depth = 1 / std::max(std::abs(slope), small);
   mixture.deviation = std::max(least_deviation, there.by_emulator) * per_depth;
   solved.mean = natural(interval_of(mixture, level_));
-  mixture.deviation = std::hypot(there.by_emulator, there.by_scatter) * per_depth;
+  mixture.deviation =
+      std::hypot(std::max(least_deviation, there.by_emulator), there.by_scatter, there.by_speed) * per_depth;
   mixture.freedom = material().freedom;
   solved.shot = natural(interval_of(mixture, level_));
   solved.outside = there.outside;
@@ -146,16 +138,11 @@ SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double de
 std::vector<std::string> Predictor::outside(const SphereShot& shot) const {
   std::vector<std::string> found;
   const auto compare = [&](const char* name, const Dimension& dimension, auto number) {
-    double low = HUGE_VAL, high = 0;
-    for (const FiredShot& fired : model_->shots)
-      if (fired.material == material_ && fired.fitted) {
-        low = std::min(low, number(fired));
-        high = std::max(high, number(fired));
-      }
+    const auto fitted = numbers_of_shots(model_->shots, material_, Shots::fitted, number);
     const double value = number(shot);
-    if (high == 0 || (value >= low * (1 - same) && value <= high * (1 + same))) return;
+    if (!fitted || (value >= fitted->low * (1 - rounding) && value <= fitted->high * (1 + rounding))) return;
     const auto words = [&](double x) { return format_quantity(x, dimension, 3); };
-    const std::string range = high <= low * (1 + same) ? words(low) : words(low) + " to " + words(high);
+    const std::string range = is_one(*fitted) ? words(fitted->low) : words(fitted->low) + " to " + words(fitted->high);
     found.push_back(fmt::format("{} {}, fitted {}", name, words(value), range));
   };
   compare("speed", dimension::speed, [](const SphereShot& s) { return s.speed; });
@@ -163,7 +150,7 @@ std::vector<std::string> Predictor::outside(const SphereShot& shot) const {
   compare("density", dimension::density, [](const SphereShot& s) { return s.density; });
   compare("layer", dimension::length, [](const SphereShot& s) { return s.layer_depth; });
   const VectorXd scaled = scale_.scaled(shot_inputs(shot, material().points.front()).at);
-  if (scaled.cwiseAbs().maxCoeff() > 1 + same)
+  if (scaled.cwiseAbs().maxCoeff() > 1 + rounding)
     found.push_back(fmt::format("the emulator's runs end {:.0f} % of their range before it",
                                 50 * (scaled.cwiseAbs().maxCoeff() - 1)));
   return found;

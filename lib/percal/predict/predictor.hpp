@@ -11,11 +11,6 @@
 
 namespace percal {
 
-// Ends of an interval, in the unit of what it is of.
-struct Between {
-  double low = 0, high = 0;
-};
-
 // The depth of a shot in a layer that it does not pass through.
 struct DepthPrediction {
   double depth = 0;           // m: at the best point of the sample
@@ -51,7 +46,7 @@ class Predictor {
   std::vector<DepthPrediction> depths(std::span<const SphereShot> shots, double speed_error = 0) const;
 
   // The speed, diameter or density of a shot that is otherwise `like` this, for which the depth is `depth` (m).
-  SolvedShot solve(ShotNumber wanted, const SphereShot& like, double depth) const;
+  SolvedShot solve(ShotNumber wanted, const SphereShot& like, double depth, double speed_error = 0) const;
 
   // The same material under another hypothesis, by the same emulator; depths at its best point, m.
   Predictor under(int hypothesis) const;
@@ -60,8 +55,8 @@ class Predictor {
   const MaterialSample& material() const { return model_->hypotheses[hypothesis_].materials[material_]; }
 
  private:
-  // ln depth in m: of each point of the sample (rows) for each shot.
-  Eigen::MatrixXd log_depths(std::span<const SphereShot> shots) const;
+  // ln depth in m: of each point (rows) for each shot.
+  Eigen::MatrixXd log_depths(std::span<const LayerMaterial> points, std::span<const SphereShot> shots) const;
   std::vector<std::string> outside(const SphereShot& shot) const;
 
   const ShotModel* model_;

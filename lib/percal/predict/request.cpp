@@ -14,8 +14,6 @@
 namespace percal {
 namespace {
 
-constexpr double rounding = 1e-6;  // relative: numbers that differ by rounding alone
-
 [[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& accepted) {
   throw BadInput(Place{.file = "", .line = 0, .key = option}, found, accepted);
 }
@@ -186,15 +184,9 @@ class Sources {
 
   // A number of the material's fitted shots where all have the same; of all its shots where none is fitted.
   std::optional<double> common(const NumberOfShot& number) const {
-    for (const bool fitted_only : {true, false}) {
-      double low = HUGE_VAL, high = 0;
-      for (const FiredShot& shot : model_.shots)
-        if (shot.material == request_.material && (shot.fitted || !fitted_only)) {
-          low = std::min(low, number(shot));
-          high = std::max(high, number(shot));
-        }
-      if (high > 0) return high <= low * (1 + rounding) ? std::optional(low) : std::nullopt;
-    }
+    for (const Shots which : {Shots::fitted, Shots::all})
+      if (const auto range = numbers_of_shots(model_.shots, request_.material, which, number))
+        return is_one(*range) ? std::optional(range->low) : std::nullopt;
     return std::nullopt;
   }
 
@@ -262,6 +254,7 @@ PredictRequest understood(const PredictWords& words, const ShotModel& model) {
   }
   if (words.speed.find("..") != std::string::npos) {
     if (!words.shots.empty()) refuse("--speed", "a range beside --shots", "one speed for all, or a column");
+    if (request.looked_for) refuse("--speed", "a range beside --depth", "one speed");
     request.speeds = quantity_range(words.speed, "--speed", dimension::speed, positive("speed"));
   }
   request.shots = shots_of(words, model, request);

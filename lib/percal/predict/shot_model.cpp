@@ -184,6 +184,17 @@ FiredShot shot_of(const Json& json, std::size_t materials) {
 
 }  // namespace
 
+std::optional<Between> numbers_of_shots(const std::vector<FiredShot>& shots, int material, Shots which,
+                                        const std::function<double(const FiredShot&)>& number) {
+  std::optional<Between> range;
+  for (const FiredShot& shot : shots) {
+    if (shot.material != material || (which == Shots::fitted && !shot.fitted)) continue;
+    const double value = number(shot);
+    range = range ? Between{std::min(range->low, value), std::max(range->high, value)} : Between{value, value};
+  }
+  return range;
+}
+
 Json shot_model_to_json(const ShotModel& model) {
   Json shots = Json::array(), runs = Json::array(), hypotheses = Json::array();
   for (const FiredShot& shot : model.shots) shots.push_back(shot_to_json(shot));

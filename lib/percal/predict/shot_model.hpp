@@ -1,6 +1,8 @@
 // What a finished calibration knows about shots that were not fired, without its job, its tables and its runs: the emulator, and for each
 // hypothesis the materials' numbers that the data do not rule out.                              docs/theory/prediction.md
 #pragma once
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,19 @@ struct FiredShot : SphereShot {
   bool at_least = false;  // it went this deep or deeper
   bool fitted = true;
 };
+
+// Ends of an interval, in the unit of what it is of.
+struct Between {
+  double low = 0, high = 0;
+};
+
+// The range of a number over the shots into a material, all or those that were fitted; nothing where there are none.
+enum class Shots { all, fitted };
+std::optional<Between> numbers_of_shots(const std::vector<FiredShot>& shots, int material, Shots which,
+                                        const std::function<double(const FiredShot&)>& number);
+
+inline constexpr double rounding = 1e-6;  // relative: numbers of two shots that differ by rounding alone
+inline bool is_one(const Between& range) { return range.high <= range.low * (1 + rounding); }
 
 struct ShotModel {
   double level = 0.95;
