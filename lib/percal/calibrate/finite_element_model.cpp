@@ -16,7 +16,7 @@ double natural_slope(const FreeParameter& parameter, double natural) { return pa
 
 // Where a material's numbers stand among the fitted parameters; -1: not fitted.
 struct Places {
-  int mu = -1, alpha = -1, erosion_strain = -1, erosion_length = -1;
+  int mu = -1, alpha = -1, erosion_strain = -1, erosion_length = -1, rate_exponent = -1, size_exponent = -1;
 };
 
 struct Context {
@@ -29,9 +29,9 @@ struct Context {
     return natural_values(job, hypothesis, layout.of_job, searched);
   }
 
-  // d(ln mu_true, alpha, erosion strain, ln erosion length)/d searched of a material, 4 x parameters.
+  // d(ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent)/d searched of a material, 6 x parameters.
   MatrixXd derivative(int material, const MaterialAt& at) const {
-    MatrixXd d = MatrixXd::Zero(4, static_cast<Eigen::Index>(layout.parameters.size()));
+    MatrixXd d = MatrixXd::Zero(6, static_cast<Eigen::Index>(layout.parameters.size()));
     const Places& p = places[material];
     if (p.mu >= 0) d(0, p.mu) = natural_slope(layout.parameters[p.mu], at.mu_as_given) / at.mu_as_given;
     if (p.alpha >= 0) {
@@ -44,6 +44,8 @@ struct Context {
     if (p.erosion_length >= 0)
       d(3, p.erosion_length) =
           natural_slope(layout.parameters[p.erosion_length], *at.erosion_length) / *at.erosion_length;
+    if (p.rate_exponent >= 0) d(4, p.rate_exponent) = 1;
+    if (p.size_exponent >= 0) d(5, p.size_exponent) = 1;
     return d;
   }
 };
@@ -118,13 +120,16 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
   for (const auto& curve : context.job.curves) {
     const MaterialAt material = material_at(context.job, context.hypothesis, curve.material, natural);
     const MatrixXd derivative = context.derivative(curve.material, material);
-    const Ogden solid{material.mu_true / curve.rate_factor, material.alpha};
+    const double rate = curve.rate.value_or(material.laws.reference_rate);
+    const double log_rate = std::log(rate / material.laws.reference_rate);
+    const Ogden solid{material.mu_true * rate_factor(material.laws, rate) / curve.rate_factor, material.alpha};
     const auto scales = stress_scales(curve);
     const Eigen::Index first = row;
     for (std::size_t k = 0; k < curve.data.points.size(); ++k, ++row) {
       const auto [stress, by_alpha] = stress_and_slope(solid, principal_pair(curve.data.points[k].strained));
       answer.value[row] = stress / scales[k];
-      answer.jacobian.row(row) = (stress * derivative.row(0) + by_alpha * derivative.row(1)) / scales[k];
+      answer.jacobian.row(row) =
+          (stress * (derivative.row(0) + log_rate * derivative.row(4)) + by_alpha * derivative.row(1)) / scales[k];
     }
     if (curve.rate_factor_error == 0 || want == Want::values) continue;
     any_common = true;
@@ -179,7 +184,9 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
     context->places.push_back(
         {place_of(material.mu, context->layout.of_job), place_of(material.alpha, context->layout.of_job),
          place_of(material.erosion_strain, context->layout.of_job),
-         material.erosion_length ? place_of(*material.erosion_length, context->layout.of_job) : -1});
+         material.erosion_length ? place_of(*material.erosion_length, context->layout.of_job) : -1,
+         place_of(material.rate_exponent, context->layout.of_job),
+         place_of(material.size_exponent, context->layout.of_job)});
   JobModel model = context->layout;  // its functions are still empty
   if (emulator) {
     const auto own = std::make_shared<const Emulator>(std::move(*emulator));

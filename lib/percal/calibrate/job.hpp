@@ -15,8 +15,8 @@
 
 namespace percal {
 
-// mu as given (Pa), alpha, erosion strain, the length over which erosion is judged (m)
-enum class ParameterKind { modulus, exponent, erosion_strain, erosion_length };
+// mu as given (Pa), alpha, erosion strain, the length over which erosion is judged (m), the exponents of MaterialLaws
+enum class ParameterKind { modulus, exponent, erosion_strain, erosion_length, rate_exponent, size_exponent };
 
 struct CalibrationParameter {
   ParameterKind kind = ParameterKind::modulus;
@@ -34,6 +34,8 @@ struct CalibrationMaterial {
   double density = 0;  // kg/m3
   MaterialNumber mu, alpha, erosion_strain;
   std::optional<MaterialNumber> erosion_length = {};  // all materials of a job have one, or none has
+  MaterialNumber rate_exponent = 0.0, size_exponent = 0.0;
+  double reference_rate = 1, reference_radius = 1;  // 1/s, m: mu and erosion_strain are of these where they have laws
   std::optional<double>
       rate_factor;  // high-rate over quasi-static modulus: the quasi-static moduli are reported where it is there
   double rate_factor_error = 0;         // relative standard deviation
@@ -84,7 +86,7 @@ struct ShotSet {
   bool leave_one_out = false;  // of its shots, those used and not used alike: each from the others' fit
 };
 
-// Stress-stretch points of a material. The curve's modulus is mu / rate_factor.
+// Stress-stretch points of a material. The curve's modulus is mu / rate_factor, at the curve's rate where the material has a law of it.
 struct MeasuredCurve {
   std::string name;
   int material = 0;
@@ -92,6 +94,7 @@ struct MeasuredCurve {
   double relative_error = 0;  // of one stress, standard deviation; scatter is estimated beside it where the job says so
   double rate_factor = 1;
   double rate_factor_error = 0;
+  std::optional<double> rate = {};  // 1/s
   int group = 0;
   bool synthetic = false;  // generated: said wherever it is used
 };

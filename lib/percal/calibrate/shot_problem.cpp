@@ -30,6 +30,10 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
   at.alpha = number_at(m.alpha, natural);
   at.erosion_strain = number_at(m.erosion_strain, natural);
   if (m.erosion_length) at.erosion_length = number_at(*m.erosion_length, natural);
+  at.laws = {.rate_exponent = number_at(m.rate_exponent, natural),
+             .reference_rate = m.reference_rate,
+             .size_exponent = number_at(m.size_exponent, natural),
+             .reference_radius = m.reference_radius};
   at.mu_true = true_modulus(at.mu_as_given, at.alpha, hypothesis.convention);
   return at;
 }

@@ -28,7 +28,24 @@ double mesh_of(const SphereShot& shot, const LayerMaterial& material, double ele
   return material.erosion_length ? elements * shot.radius / *material.erosion_length : elements;
 }
 
-Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& material) {
+double rate_factor(const MaterialLaws& laws, double rate) {
+  return laws.rate_exponent == 0 ? 1 : std::pow(rate / laws.reference_rate, laws.rate_exponent);
+}
+
+double size_factor(const MaterialLaws& laws, double radius) {
+  return laws.size_exponent == 0 ? 1 : std::pow(radius / laws.reference_radius, laws.size_exponent);
+}
+
+LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot) {
+  LayerMaterial there = material;
+  there.mu_true *= rate_factor(material.laws, shot.speed / shot.radius);
+  there.erosion_strain *= size_factor(material.laws, shot.radius);
+  there.laws = {};
+  return there;
+}
+
+Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& of_reference) {
+  const LayerMaterial material = at_shot(of_reference, shot);
   scene.particle.radius = shot.radius;
   scene.particle.density = shot.density;
   scene.particle.speed = shot.speed;
@@ -45,7 +62,9 @@ Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& ma
   return scene;
 }
 
-ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& material) {
+ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& of_reference) {
+  const LayerMaterial material = at_shot(of_reference, shot);
+  const MaterialLaws& laws = of_reference.laws;
   const double pi4 = material.density * shot.speed * shot.speed / material.mu_true;
   const auto [bulk, slope] = chosen_bulk(pi4);
   const auto in_radii = material.erosion_length ? std::optional(*material.erosion_length / shot.radius) : std::nullopt;
@@ -60,13 +79,16 @@ ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& material) {
   Eigen::Vector<double, sphere_inputs> by_log_pi4 = Eigen::Vector<double, sphere_inputs>::Zero();
   by_log_pi4[index_of(&SphereInputs::log_pi4)] = 1;
   by_log_pi4[index_of(&SphereInputs::log_bulk_ratio)] = slope;
-  enum { log_mu, alpha, erosion_strain, log_length };
+  enum { log_mu, alpha, erosion_strain, log_length, rate_exponent, size_exponent };
   inputs.by_material.setZero();
   inputs.by_material.col(log_mu) = -by_log_pi4;
   inputs.by_material(index_of(&SphereInputs::alpha), alpha) = 1;
-  inputs.by_material(index_of(&SphereInputs::erosion_strain), erosion_strain) = 1;
+  inputs.by_material(index_of(&SphereInputs::erosion_strain), erosion_strain) = size_factor(laws, shot.radius);
   if (in_radii) inputs.by_material(index_of(&SphereInputs::log_erosion_length), log_length) = 1;
-  inputs.by_log_speed = 2 * by_log_pi4;
+  inputs.by_material.col(rate_exponent) = -by_log_pi4 * std::log(shot.speed / shot.radius / laws.reference_rate);
+  inputs.by_material(index_of(&SphereInputs::erosion_strain), size_exponent) =
+      material.erosion_strain * std::log(shot.radius / laws.reference_radius);
+  inputs.by_log_speed = (2 - laws.rate_exponent) * by_log_pi4;
   return inputs;
 }
 

@@ -20,14 +20,28 @@ struct SphereShot {
 // "3.18 mm at 83 m/s".
 std::string words_of(const SphereShot& shot);
 
-// The numbers of the layer's material.
+// How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, the erosion strain by one of the radius.
+// Exponents of 0: they do not.                                                                 docs/theory/laws.md (1), (2)
+struct MaterialLaws {
+  double rate_exponent = 0, reference_rate = 1;    // 1/s
+  double size_exponent = 0, reference_radius = 1;  // m
+};
+
+// The numbers of the layer's material; of one with laws at the reference rate and radius.
 struct LayerMaterial {
   double density = 0;  // kg/m3
   double mu_true = 0;  // Pa
   double alpha = 0;
   double erosion_strain = 0;                  // engineering: the critical stretch less 1
   std::optional<double> erosion_length = {};  // m
+  MaterialLaws laws = {};
 };
+
+// Over the modulus at the reference rate, over the erosion strain at the reference radius.
+double rate_factor(const MaterialLaws& laws, double rate);
+double size_factor(const MaterialLaws& laws, double radius);
+// What the shot meets: the laws applied, and gone.
+LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot);
 
 // Elements per radius of a mesh with so many elements in the material's erosion length, or per radius where it has none.
 double mesh_of(const SphereShot& shot, const LayerMaterial& material, double elements);
@@ -40,7 +54,8 @@ Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& ma
 // differentiated. With their derivatives.
 struct ShotInputs {
   SphereInputs at;
-  Eigen::Matrix<double, sphere_inputs, 4> by_material;  // ln mu_true, alpha, erosion strain, ln erosion length
+  // ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent
+  Eigen::Matrix<double, sphere_inputs, 6> by_material;
   Eigen::Vector<double, sphere_inputs> by_log_speed;
 };
 ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& material);

@@ -17,6 +17,7 @@ inline constexpr Dimension length{.length = 1};
 inline constexpr Dimension area{.length = 2};
 inline constexpr Dimension mass{.mass = 1};
 inline constexpr Dimension time{.time = 1};
+inline constexpr Dimension rate{.time = -1};
 inline constexpr Dimension speed{.length = 1, .time = -1};
 inline constexpr Dimension density{.mass = 1, .length = -3};
 inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};

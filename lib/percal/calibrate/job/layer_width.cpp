@@ -23,15 +23,19 @@ Bounds bounds_of(const CalibrationJob& job, const Hypothesis& hypothesis, const 
   return {free.low, free.high};
 }
 
-// Pa: the softest that any hypothesis lets a material be.
-double softest(const CalibrationJob& job, const CalibrationMaterial& material) {
+// Pa: the softest that any hypothesis lets a material be at a shot's rate.
+double softest(const CalibrationJob& job, const CalibrationMaterial& material, const SphereShot& shot) {
   double softest = INFINITY;
   for (const Hypothesis& hypothesis : job.hypotheses) {
     const Bounds mu = bounds_of(job, hypothesis, material.mu), alpha = bounds_of(job, hypothesis, material.alpha);
     for (const double m : {mu.low, mu.high})
       for (const double a : {alpha.low, alpha.high}) {
         const double mu_true = true_modulus(m, a, hypothesis.convention);
-        if (mu_true > 0) softest = std::min(softest, mu_true);
+        if (!(mu_true > 0)) continue;
+        const Bounds rate = bounds_of(job, hypothesis, material.rate_exponent);
+        for (const double exponent : {rate.low, rate.high})
+          softest = std::min(softest, mu_true * rate_factor({.rate_exponent = exponent, .reference_rate = material.reference_rate},
+                                                            shot.speed / shot.radius));
       }
   }
   return softest;
@@ -43,7 +47,7 @@ double width_needed(const CalibrationJob& job) {
   double widest = 0;
   for (const MeasuredShot& shot : job.shots) {
     const CalibrationMaterial& material = job.materials[shot.material];
-    const double pi4 = material.density * shot.speed * shot.speed / softest(job, material);
+    const double pi4 = material.density * shot.speed * shot.speed / softest(job, material, shot);
     widest = std::max(widest, usual_width(pi4, shot.density / material.density));
   }
   return widest;

@@ -36,8 +36,12 @@ MeasuredCurve curve_from(const TomlTable& block, CalibrationJob& job) {
                       .relative_error = share_from(block, "error", not_negative("share"), 0),
                       .rate_factor = block.number("rate_factor", positive("factor"), 1),
                       .rate_factor_error = share_from(block, "rate_factor_error", not_negative("share"), 0),
+                      .rate = block.optional_quantity("rate", dimension::rate, positive("rate")),
                       .group = group_index(block, "curves", job),
                       .synthetic = block.flag("synthetic", false)};
+  const MaterialNumber& law = job.materials[curve.material].rate_exponent;
+  if (!curve.rate && (std::holds_alternative<SharedParameter>(law) || std::get<double>(law) != 0))
+    block.refuse("rate", "no such key", "the curve's strain rate, for its material has a rate_exponent");
   if (std::all_of(curve.data.points.begin(), curve.data.points.end(),
                   [](const StressPoint& point) { return point.nominal_stress == 0; }))
     block.refuse("file", "no stress other than 0 in " + table.file, "a curve with stresses");

@@ -156,6 +156,8 @@ std::set<int> parameters_of(const CalibrationMaterial& material) {
   for (const MaterialNumber* number : {&material.mu, &material.alpha, &material.erosion_strain})
     add_index(indices, *number);
   if (material.erosion_length) add_index(indices, *material.erosion_length);
+  add_index(indices, material.rate_exponent);
+  add_index(indices, material.size_exponent);
   return indices;
 }
 
