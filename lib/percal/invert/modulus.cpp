@@ -1,15 +1,18 @@
 #include "percal/invert/modulus.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "percal/math/root.hpp"
 
 namespace percal {
 namespace {
 
-constexpr double window = 0.5;          // answers within this of the root (in ln modulus) belong to the local line
-constexpr int fewest_in_line = 5;       // answers that the line must have, bracketing the root
+constexpr double window = 0.5;  // answers within this of the root (in ln modulus) belong to the local line
+// Where further answers for the line are asked for, about the best one.
+constexpr std::array<double, 10> sides{-0.12, 0.12, -0.24, 0.24, -0.06, 0.06, -0.18, 0.18, -0.3, 0.3};
 constexpr double expected_slope = 0.4;  // |d ln depth/d ln modulus|, before there are answers to tell
 
 struct EndOfSearch {
@@ -75,13 +78,13 @@ class Search {
     int points;
   };
   // Least squares of ln depth on ln modulus over the uncensored answers near `centre`.
+  static bool counts(const InversionPoint& p, double centre) {
+    return !p.answer.censored && std::abs(p.log_modulus - centre) <= window;
+  }
   Line line_near(double centre) const {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    const auto counts = [&](const InversionPoint& p) {
-      return !p.answer.censored && std::abs(p.log_modulus - centre) <= window;
-    };
     for (const auto& p : result_.points)
-      if (counts(p)) {
+      if (counts(p, centre)) {
         const double dx = p.log_modulus - centre, dy = std::log(p.answer.depth / options_.target);
         n += 1;
         x += dx;
@@ -98,7 +101,7 @@ class Search {
     line.at_root = centre - level / line.slope;
     double squares = 0;
     for (const auto& p : result_.points)
-      if (counts(p)) {
+      if (counts(p, centre)) {
         const double residual =
             std::log(p.answer.depth / options_.target) - level - line.slope * (p.log_modulus - centre);
         squares += residual * residual;
@@ -112,19 +115,22 @@ class Search {
   void fit_line() {
     double centre = best_answer();
     // A few more answers on both sides, where Brent's method came down on one point.
-    for (const double side : {-0.12, 0.12, -0.24, 0.24})
-      if (line_near(centre).points < fewest_in_line &&
+    const auto most_sides = std::clamp<std::size_t>(options_.fewest_in_line - 1, 0, sides.size());
+    for (const double side : std::span(sides).first(most_sides))
+      if (line_near(centre).points < options_.fewest_in_line &&
           static_cast<int>(result_.points.size()) < options_.most_evaluations)
         misfit(centre + side);
     Line line{};
     for (int k = 0; k < 5; ++k) {
       line = line_near(centre);
+      for (auto& p : result_.points) p.in_line = counts(p, centre);
       centre = std::clamp(line.at_root, centre - window / 2, centre + window / 2);
     }
     result_.log_modulus = line.at_root;
     result_.log_modulus_error = line.error;
     result_.slope = line.slope;
     result_.scatter = line.scatter;
+    result_.points_in_line = line.points;
   }
 
   double best_answer() const {
