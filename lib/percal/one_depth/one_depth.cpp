@@ -14,7 +14,9 @@ namespace percal {
 namespace {
 
 constexpr int own_line = 2 * usual_replicates, other_lines = usual_replicates;  // answers that a line shall have
+constexpr double slope_of_strain = 1.2;  // |d ln depth/d ln erosion strain| that a search expects
 constexpr double farthest_strain = 2.5;  // of ln erosion strain from where a search begins
+constexpr double expected_exponent = 2;  // of 1/erosion strain, with which the modulus goes along a ridge
 
 LayerMaterial with(LayerMaterial material, LayerNumber number, double value) {
   number_of(material, number) = value;
@@ -34,13 +36,14 @@ DepthOfModulus depth_by_runs(Campaign& campaign, const InvertRequest& request, c
   };
 }
 
-// The materials in which the searches of the ridge begin: a pair that is one for all is about mu times erosion strain.
+// The materials in which the searches of the ridge begin.
 std::vector<LayerMaterial> beginnings(const InvertRequest& request) {
   std::vector<LayerMaterial> materials;
+  const double exponent = request.sought == LayerNumber::mu ? expected_exponent : 1 / expected_exponent;
   for (const double factor : ridge_factors) {
     materials.push_back(request.material);
     number_of(materials.back(), other(request.sought)) *= factor;
-    number_of(materials.back(), request.sought) /= factor;
+    number_of(materials.back(), request.sought) /= std::pow(factor, exponent);
   }
   return materials;
 }
@@ -117,7 +120,10 @@ OneDepth find_at_depth(const InvertRequest& request, Campaign& campaign) {
     InversionOptions options{.target = request.depth,
                              .start = std::log(number_of(begin[at], request.sought)),
                              .fewest_in_line = at == own_factor ? own_line : other_lines};
-    if (request.sought == LayerNumber::erosion_strain) options.most_step = farthest_strain;
+    if (request.sought == LayerNumber::erosion_strain) {
+      options.expected_slope = slope_of_strain;
+      options.most_step = farthest_strain;
+    }
     return invert_modulus(depth_by_runs(campaign, request, begin[at], closures[at]), options);
   });
   OneDepth found{.request = request, .ridge = std::vector<PairOfDepth>(count)};

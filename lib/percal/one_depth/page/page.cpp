@@ -18,14 +18,29 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 // Behind "true modulus" and "erosion strain" in a result.
 struct Keys {
-  const char *value, *interval, *words;
+  std::string value, interval, words;
 };
-constexpr Keys mu_keys{"mu_Pa", "mu_interval_Pa", "true modulus"},
+const Keys mu_keys{"mu_Pa", "mu_interval_Pa", "true modulus"},
     strain_keys{"erosion_strain", "erosion_strain_interval", "erosion strain"};
 
-bool looks_for_mu(const Json& result) { return text(result, "looked_for") == mu_keys.words; }
-Keys sought_of(const Json& result) { return looks_for_mu(result) ? mu_keys : strain_keys; }
-Keys given_of(const Json& result) { return looks_for_mu(result) ? strain_keys : mu_keys; }
+Keys sought_of(const Json& result) { return text(result, "looked_for") == mu_keys.words ? mu_keys : strain_keys; }
+Keys given_of(const Json& result) { return text(result, "looked_for") == mu_keys.words ? strain_keys : mu_keys; }
+
+// On the axis of a figure, in a unit for moduli of this size.
+class Scaled {
+ public:
+  Scaled(const Keys& keys, double typical_modulus)
+      : keys_(keys), unit_(keys.words == mu_keys.words ? pressure_unit(typical_modulus) : ShownUnit{"", 1}) {}
+  double operator()(const Json& pair) const { return of(number(pair, keys_.value)); }
+  double of(const std::optional<double>& value) const { return value.value_or(nowhere) / unit_.size; }
+  Axis axis(bool logarithmic) const {
+    return {.label = keys_.words + (unit_.name.empty() ? "" : ", " + unit_.name), .logarithmic = logarithmic};
+  }
+
+ private:
+  Keys keys_;
+  ShownUnit unit_;
+};
 
 std::string value_of(const Json& pair, const Keys& keys) {
   return quantity(number(pair, keys.value), dimension_of_key(keys.value), 3);
@@ -45,7 +60,7 @@ std::string summary_of(const Json& result) {
   const std::string depth = value_words(result, "measured_depth_m"),
                     belongs = fmt::format("the {} is {}, with elements of 1/{} radius", given.words,
                                           value_of(pair, given), shown(number(result, "elements_per_radius")));
-  const std::string a = sought.words[0] == 'e' ? "An" : "A";
+  const std::string a = sought.words == strain_keys.words ? "An" : "A";
   if (!yes(result, "found"))
     return fmt::format("No {} was found that stops {} at {} if {}: {}.", sought.words, shot, depth, belongs,
                        text(pair, "why_not"));
@@ -82,63 +97,50 @@ Table error_table(const Json& result) {
 
 Figure ridge_figure(const Json& result) {
   const Keys sought = sought_of(result), given = given_of(result);
-  const Json& pair = at(result, "pair");
-  const auto asked = number(pair, given.value);
-  const ShownUnit unit = pressure_unit(number_or(pair, "mu_Pa", number_or(list(result, "ridge").back(), "mu_Pa", 1)));
-  const auto in_unit = [&](const Keys& keys, double value) {
-    return looks_for_mu(result) == (keys.value == sought.value) ? value / unit.size : value;
-  };
+  const Json& asked = at(result, "pair");
+  const double modulus = number_or(asked, "mu_Pa", 1);
+  const Scaled x(given, modulus), y(sought, modulus);
   Series line = series("", Mark::dashes, 0), points = series("other pairs", Mark::points_with_bars, 0),
-         own = series("as given", Mark::points_with_bars, 3);
-  for (const Json& one : list(result, "ridge")) {
-    if (number(one, sought.value) == std::nullopt) continue;
-    const double x = in_unit(given, number_or(one, given.value, nowhere)),
-                 y = in_unit(sought, number_or(one, sought.value, nowhere));
-    const Json& ends = at(one, sought.interval);
-    add_point(line, x, y);
-    add_bar(number(one, given.value) == asked ? own : points, x, y, in_unit(sought, number_or(ends, "low", nowhere)),
-            in_unit(sought, number_or(ends, "high", nowhere)));
+         own = series("as given", Mark::points_with_bars, 2);
+  for (const Json& pair : list(result, "ridge")) {
+    if (!number(pair, sought.value)) continue;
+    const Json& ends = at(pair, sought.interval);
+    add_point(line, x(pair), y(pair));
+    add_bar(number(pair, given.value) == number(asked, given.value) ? own : points, x(pair), y(pair),
+            y.of(number(ends, "low")), y.of(number(ends, "high")));
   }
-  const auto axis = [&](const Keys& keys) {
-    return Axis{.label = std::string(keys.words) + (std::string(keys.value) == mu_keys.value ? ", " + unit.name : ""),
-                .logarithmic = true};
-  };
-  Chart chart{.title = "Pairs that give this depth", .x = axis(given), .y = axis(sought)};
+  Chart chart{.title = "Pairs that give this depth", .x = x.axis(true), .y = y.axis(true)};
   for (Series* one : {&line, &points, &own}) add(chart, std::move(*one));
-  return {
-      .name = "ridge",
-      .caption = fmt::format("Pairs of modulus and erosion strain that stop the sphere at {}, with {} intervals; the "
-                             "one that was asked for is marked.",
-                             value_words(result, "measured_depth_m"), level_words(result)),
-      .alt = "The ridge, falling from a low erosion strain and a stiff layer to a high one and a soft layer.",
-      .chart = chart};
+  return {.name = "ridge",
+          .caption = fmt::format("Pairs of modulus and erosion strain that stop the sphere at {}, with {} intervals.",
+                                 value_words(result, "measured_depth_m"), level_words(result)),
+          .alt = "The ridge falls from a stiff layer that erodes early to a soft one that erodes late.",
+          .chart = chart};
 }
 
 // The runs of the search, and the line that its answer is the root of.
 Figure search_figure(const Json& result) {
   const Keys sought = sought_of(result);
-  const Json& pair = at(result, "pair");
-  const double depth = number_or(result, "measured_depth_m", nowhere), root = number_or(pair, sought.value, nowhere),
-               slope = number_or(pair, "slope", nowhere);
-  const ShownUnit metres = length_unit(depth), pascals = pressure_unit(root);
-  const double size = looks_for_mu(result) ? pascals.size : 1;
+  const Json &pair = at(result, "pair"), &trials = list(result, "trials");
+  const double depth = number_or(result, "measured_depth_m", nowhere);
+  const auto root = number(pair, sought.value), slope = number(pair, "slope");
+  const ShownUnit metres = length_unit(depth);
+  const Scaled x(sought, number_or(trials.front(), "mu_Pa", 1));
   Series used = series("runs", Mark::points, 0), far = series("farther away", Mark::points, -1),
-         line = series("their line", Mark::line, 0), measured = series("measured", Mark::dashes, 3);
-  double low = root, high = root;
-  for (const Json& trial : list(result, "trials")) {
+         line = series("their line", Mark::line, 0), measured = series("measured", Mark::dashes, 2);
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const Json& trial : trials) {
     const double value = number_or(trial, sought.value, nowhere);
-    const bool is_used = yes(trial, "in_line");
-    add_point(is_used ? used : far, value / size, number_or(trial, "depth_m", nowhere) / metres.size);
-    if (is_used) low = std::min(low, value), high = std::max(high, value);
+    low = std::min(low, value);
+    high = std::max(high, value);
+    add_point(yes(trial, "in_line") ? used : far, x(trial), number_or(trial, "depth_m", nowhere) / metres.size);
   }
-  if (yes(result, "found"))
-    for (const double value : {low, high}) {
-      add_point(line, value / size, depth * std::pow(value / root, slope) / metres.size);
-      add_point(measured, value / size, depth / metres.size);
-    }
-  Chart chart{.title = "The search",
-              .x = {.label = sought.words + (looks_for_mu(result) ? ", " + pascals.name : ""), .logarithmic = true},
-              .y = {.label = "depth, " + metres.name, .logarithmic = true}};
+  if (root)
+    for (const double value : spaced(std::max(low, *root * 0.6), std::min(high, *root * 1.6)))
+      add_point(line, x.of(value), depth * std::pow(value / *root, *slope) / metres.size);
+  for (const double value : {low, high}) add_point(measured, x.of(value), depth / metres.size);
+  Chart chart{
+      .title = "The search", .x = x.axis(worth_a_logarithm(low, high)), .y = {.label = "depth, " + metres.name}};
   for (Series* one : {&far, &used, &line, &measured}) add(chart, std::move(*one));
   return {
       .name = "search",
