@@ -105,10 +105,19 @@ TEST_F(OneDepthSearch, WhereNothingIsFoundItSaysWhy) {
   EXPECT_FALSE(found.own().found());
   EXPECT_THAT(found.own().why_not, HasSubstr("out of reach: deeper from"));
   EXPECT_FALSE(found.own().interval);
-  EXPECT_THAT(found.warnings.at(0), HasSubstr("No true modulus was found"));
   const page::Json json = one_depth_to_json(found);
   EXPECT_TRUE(json["pair"]["mu_Pa"].is_null());
   EXPECT_THAT(invert_page(json).summary, HasSubstr("out of reach"));
+}
+
+TEST_F(OneDepthSearch, RunsThatPassedThroughBesideTheAnswerAreToldOf) {
+  InvertWords words = test::small_shot();
+  EXPECT_THAT(find_at_depth(understood(words), campaign_).warnings,
+              testing::Not(testing::Contains(HasSubstr("passed"))));
+  words.depth = "38.5 mm";
+  const OneDepth found = find_at_depth(understood(words), campaign_);
+  ASSERT_TRUE(found.own().found()) << found.own().why_not;
+  EXPECT_THAT(found.warnings, testing::Contains(HasSubstr("passed through the layer")));
 }
 
 TEST_F(OneDepthSearch, WithAnErosionLengthItSaysWhatElementsLeave) {

@@ -33,23 +33,36 @@ std::string bias_words(const OneDepth& found) {
       page::rough_percent(of_depth / std::abs(found.own().search.slope)), name_of(found.request.sought));
 }
 
+// Runs of the line's range that passed through: those that went deepest are not in it.
+long passed_beside_line(const Inversion& search) {
+  double softest = INFINITY;
+  for (const InversionPoint& point : search.points)
+    if (point.in_line) softest = std::min(softest, point.log_modulus);
+  return std::ranges::count_if(search.points, [&](const InversionPoint& point) {
+    return point.answer.censored && point.log_modulus >= softest;
+  });
+}
+
 }  // namespace
 
 void add_findings(OneDepth& found) {
   const InvertRequest& request = found.request;
   const PairOfDepth& own = found.own();
   const std::string sought = name_of(request.sought), given = name_of(other(request.sought));
-  if (!own.found()) {
-    found.warnings.push_back(fmt::format("No {} was found: {}.", sought, own.why_not));
-    return;
-  }
+  if (!own.found()) return;  // the pair says why
   if (std::abs(own.search.slope) < steep_enough)
     found.warnings.push_back(
         fmt::format("The depth hardly changes with the {}: it says next to nothing of it.", sought));
   if (!request.depth_error)
     found.warnings.push_back("No error of the depth was given (--depth-error): the interval takes it as exact.");
-  if (request.speed_error && !own.errors[request.depth_error ? 2 : 1].of_value)
-    found.warnings.push_back("What the speed's error does is not known without a ridge: the interval leaves it out.");
+  if (const long passed = passed_beside_line(own.search))
+    found.warnings.push_back(
+        fmt::format("{} near the answer passed through the layer and {} not in the line: the {} may "
+                    "be too low.",
+                    page::counted(passed, "run"), passed == 1 ? "is" : "are", sought));
+  for (const ValueErrorPart& part : own.errors)
+    if (!part.of_value)
+      found.warnings.push_back(fmt::format("The interval leaves out the error by {}: {}.", part.source, part.how));
   for (const std::string& warning : reduce(scene_of(request, own.material)).warnings)
     found.warnings.push_back(warning + ".");
   if (found.ridge_exponent)

@@ -23,10 +23,6 @@ struct PairOfDepth {
   bool found() const { return why_not.empty(); }
 };
 
-// Of the given number, the ridge's others.
-inline constexpr double ridge_factors[] = {0.5, 0.7, 1, 1.4, 2};
-inline constexpr int own_factor = 2;
-
 struct OneDepth {
   InvertRequest request;
   std::vector<PairOfDepth> ridge;             // one a factor

@@ -19,7 +19,7 @@ constexpr double usual_level = 0.95;
 constexpr double guess_factor = 0.8, guess_exponent = 0.4, least_pi4 = 0.5, most_pi4 = 3000;
 constexpr double guess_may_be_off = 4;   // factor of the modulus
 constexpr double smallest_alpha = 1e-3;  // the solver divides by alpha
-const Range relative_error{.low = 0, .high = 0.5, .low_open = false, .words = "a share from 0 to 50 %"};
+const Range relative_error{.low = 0, .high = 0.5, .words = "a share from 0 to 50 %"};
 
 double needed(const std::string& text, const char* option, const Dimension& dimension, const std::string& accepted) {
   if (text.empty()) refuse_option(option, "nothing", accepted);
@@ -143,7 +143,7 @@ InvertRequest understood(const InvertWords& words) {
   double softest = 0;
   if (request.sought == LayerNumber::erosion_strain) {
     request.material.mu_true = needed(words.mu, "--mu", dimension::pressure, "the true modulus, such as 346kPa");
-    softest = request.material.mu_true;
+    softest = request.material.mu_true * ridge_factors[0];
   } else {
     request.material.erosion_strain = needed(words.erosion_strain, "--erosion-strain", dimension::none, "a strain");
     request.material.mu_true = guessed_modulus(request);

@@ -35,6 +35,10 @@ double number_of(const LayerMaterial& material, LayerNumber number);
 std::string name_of(LayerNumber number);                 // "true modulus", "erosion strain"
 std::string words_of(LayerNumber number, double value);  // "346 kPa", "0.58"
 
+// By which the ridge multiplies the given number, and the place of the one that leaves it.
+inline constexpr double ridge_factors[] = {0.5, 0.7, 1, 1.4, 2};
+inline constexpr int own_factor = 2;
+
 struct InvertRequest {
   InvertWords words;
   LayerNumber sought = LayerNumber::mu;
