@@ -18,13 +18,13 @@ struct DepthAnswer {
 using DepthOfModulus = std::function<DepthAnswer(double log_modulus)>;
 
 struct InversionOptions {
-  double target = 0;        // depth, in the forward model's units
-  double start = 0;         // ln of a first guess of the modulus
-  double noise = 0.015;     // relative standard deviation of one answer, where the answers don't show a larger one
+  double target = 0;     // depth, in the forward model's units
+  double start = 0;      // ln of a first guess of the modulus
+  double noise = 0.015;  // relative standard deviation of one answer, where the answers don't show a larger one
   // |d ln depth/d ln modulus|, before there are answers to tell: where it is larger, steps and the line's window are smaller.
   double expected_slope = 0.4;
-  double most_step = 6;     // how far from the start to look
-  int fewest_in_line = 5;   // answers near the root that the line shall have
+  double most_step = 6;    // how far from the start to look
+  int fewest_in_line = 5;  // answers near the root that the line shall have
   int most_evaluations = 24;
 };
 
