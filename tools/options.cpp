@@ -122,10 +122,10 @@ void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::
                       "CSV of many shots: speed, radius or diameter, particle_density or particle_mass, layer_depth, "
                       "label; what has no column is as the options say");
   auto* depth = command->add_option("--depth", words.depth, "look for the speed that gives this depth, as 85mm");
-  command
-      ->add_option("--solve-for", words.solve_for,
-                   "speed, diameter or density: what --depth looks for (default: speed)")
-      ->needs(depth);
+  command->add_option("--solve-for", words.solve_for,
+                      "speed, diameter or density: what --depth or --v50 looks for (default: speed)");
+  command->add_flag("--v50", words.v50, "look for the speed at which half of the shots pass the layer")
+      ->excludes(depth);
   command->add_option("--level", words.level, "confidence level of the intervals (default: the calibration's)")
       ->check(between(0.5, 0.9999));
   command->add_flag("--verify", predict.verify, "run the solver at every shot, with its replicates");

@@ -10,6 +10,7 @@
 #include "percal/text/file.hpp"
 
 namespace percal::tools {
+
 Exit run_predict(const PredictArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
   const NamedResult result = read_json_result(arguments.result);

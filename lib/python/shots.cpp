@@ -34,9 +34,11 @@ Words words_from(const Said& said, const std::optional<double>& level) {
 }
 
 std::string predicted(const std::string& result_text, const std::string& file, const Said& said,
-                      const std::optional<double>& level, bool verify, const std::string& store_path, int threads) {
+                      const std::optional<double>& level, bool v50, bool verify, const std::string& store_path,
+                      int threads) {
   const auto start = Clock::now();
-  const auto words = words_from<PredictWords>(said, level);
+  auto words = words_from<PredictWords>(said, level);
+  words.v50 = v50;
   std::string result;
   interruptible([&](const std::atomic<bool>& stop) {
     const page::Json calibration = parse_json(result_text, file, "a result of percal calibrate");

@@ -40,11 +40,11 @@ TEST_F(JobFits, RecoverTheModulusThatMadeTheDepths) {
 }
 
 TEST_F(JobFits, AShotMoreThanMeasuredDeepIsNoMisfitWhereItWasOnlySeenToGoThatFar) {
-  job_.shots[0].at_least = true;
+  job_.shots[0].datum = ShotDatum::at_least;
   job_.shots[0].depth *= 0.5;
   const JobFit met = fit();
   EXPECT_EQ(met.best().residual[0], 0) << "the model goes deeper, as it may";
-  job_.shots[0].at_least = false;
+  job_.shots[0].datum = ShotDatum::depth;
   EXPECT_LT(fit().best().searched[0], 1e9);
   EXPECT_GT(fit().best().scatter[0], 2 * met.best().scatter[0]) << "as a depth it would be one";
 }

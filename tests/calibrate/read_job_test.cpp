@@ -70,7 +70,8 @@ TEST_F(ReadCalibrationJob, ADensityMayBeAMass) {
   const double mass = 7800 * 4 * 3.14159265358979 / 3 * 1e-9;  // kg, of a ball of 2 mm
   const auto job = read_job(
       {{"diameter = \"2 mm\"\nparticle_density = \"7800 kg/m3\"", "diameter = \"2 mm\"\nparticle_mass = \"32.67 mg\""},
-       {"particle_density_column = \"density_kg_m3\"\ndiameter_column", "particle_mass = \"32.67 mg\"\ndiameter_column"}});
+       {"particle_density_column = \"density_kg_m3\"\ndiameter_column",
+        "particle_mass = \"32.67 mg\"\ndiameter_column"}});
   EXPECT_NEAR(job.shots[4].density, 7800 * 32.67e-6 / mass, 0.1);
   EXPECT_NEAR(job.shots[1].density, 7800 * 32.67e-6 / mass / std::pow(1.5, 3), 0.1) << "of a ball of 3 mm";
   EXPECT_EQ(read_job().shots[4].density, 7800);
@@ -83,7 +84,8 @@ TEST_F(ReadCalibrationJob, ConditionsChooseWhichRowsAreCensoredFittedAndHaveAnEr
     for (int i = 0; i < 4; ++i) all.push_back(job.shots[i].*member);
     return all;
   };
-  EXPECT_THAT(of(&MeasuredShot::at_least), ElementsAre(false, false, true, false));
+  EXPECT_THAT(of(&MeasuredShot::datum),
+              ElementsAre(ShotDatum::depth, ShotDatum::depth, ShotDatum::at_least, ShotDatum::depth));
   EXPECT_THAT(of(&MeasuredShot::used), ElementsAre(true, true, true, false));
   EXPECT_THAT(of(&MeasuredShot::depth_error),
               ElementsAre(DoubleEq(0.05 * 0.015), DoubleEq(0.05 * 0.024), DoubleEq(0.05 * 0.06), 0));
@@ -99,7 +101,7 @@ TEST_F(ReadCalibrationJob, PointsInTheJobAreShots) {
   EXPECT_DOUBLE_EQ(slow.layer_width, 5e-3);
   EXPECT_TRUE(slow.used);
   EXPECT_EQ(fast.label, "the fast one");
-  EXPECT_TRUE(fast.at_least);
+  EXPECT_EQ(fast.datum, ShotDatum::at_least);
   EXPECT_FALSE(fast.used);
   EXPECT_DOUBLE_EQ(fast.speed_error, 1);
   EXPECT_EQ(fast.material, 1);
@@ -209,7 +211,7 @@ TEST(CalibrationExamples, SkinConsistentHasTheShotsOfThreeTables) {
   int used = 0, censored = 0;
   for (const MeasuredShot& shot : job.shots) {
     used += shot.used;
-    censored += shot.at_least;
+    censored += shot.datum == ShotDatum::at_least;
   }
   EXPECT_EQ(used, 24 + 3 + 1);
   EXPECT_EQ(censored, 1);

@@ -206,7 +206,7 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   for (int i = 0; i < static_cast<int>(job.shots.size()); ++i) {
     const MeasuredShot& shot = job.shots[i];
     ShotDepth depth{i, 1.1 * shot.depth, 0.01, 0.9 * shot.depth, 1.3 * shot.depth, shot.used, {}};
-    if (!shot.at_least) depth.deviation = 0.1;
+    if (shot.is_number()) depth.deviation = 0.1;
     hypothesis.shots.push_back(depth);
   }
   hypothesis.curves = {{0, {5.2e3, 1.05e4}, {4.8e3, 9.8e3}, {5.6e3, 1.12e4}}};

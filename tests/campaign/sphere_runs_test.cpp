@@ -42,9 +42,9 @@ TEST_F(SphereRunsTest, FinishedRunsAreRowsToLearnFrom) {
   ASSERT_EQ(spheres.size(), 2u);
   EXPECT_EQ(spheres[0].key, evaluation_key(quick_shot(), instruction_level()));
   EXPECT_EQ(spheres[0].outcome, "stopped");
-  EXPECT_EQ(spheres[0].depth_over_radius, first.result.depth);
+  EXPECT_EQ(spheres[0].reach, first.result.depth);
   EXPECT_EQ(spheres[0].cpu_seconds, first.cpu_seconds);
-  EXPECT_EQ(spheres[1].depth_over_radius, second.result.depth);
+  EXPECT_EQ(spheres[1].reach, second.result.depth);
   const TrainingRun run = training_run(replicate, second.result.depth);
   EXPECT_EQ(run.h, 0.25);
   EXPECT_EQ(run.log_depth, std::log(second.result.depth));
@@ -59,7 +59,7 @@ TEST_F(SphereRunsTest, ASphereThatDidNotStopHasNoDepth) {
   ASSERT_EQ(campaign.evaluate(thin).result.outcome, Outcome::passed_through);
   ASSERT_EQ(stored_spheres(store).size(), 1u);
   EXPECT_EQ(stored_spheres(store)[0].outcome, "passed through");
-  EXPECT_FALSE(stored_spheres(store)[0].depth_over_radius);
+  EXPECT_FALSE(stored_spheres(store)[0].reach);
 }
 
 TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {

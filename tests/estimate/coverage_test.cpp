@@ -187,7 +187,7 @@ TEST(SlowCoverage, WithAtLeastDataOfTheDeepShots) {
     for (Datum& datum : problem.data)
       if (datum.value > bottom) {
         datum.value = bottom;
-        datum.at_least = true;
+        datum.seen = Seen::at_least;
       }
     return problem;
   };

@@ -199,7 +199,7 @@ TEST(LeastSquares, AnAtLeastPullsUpwardsOnly) {
   CalibrationProblem problem;
   problem.parameters = {linear_parameter("a", -50, 50)};
   problem.groups = {{.name = "g", .estimated = false, .fixed = 0.5}};
-  problem.data = {{.label = "seen", .value = 1}, {.label = "bottom", .value = 2, .at_least = true}};
+  problem.data = {{.label = "seen", .value = 1}, {.label = "bottom", .value = 2, .seen = Seen::at_least}};
   problem.model = model_of(2, [](const VectorXd& at, int) { return ValueAndGradient{at[0], VectorXd::Ones(1)}; });
   const double a = refine(problem, VectorXd::Zero(1), {}, quick).searched[0];
   EXPECT_GT(a, 1.2);
@@ -220,7 +220,7 @@ TEST(LeastSquares, FarBelowAnAtLeastThereIsStillASlope) {
   CalibrationProblem problem;
   problem.parameters = {linear_parameter("a", -1000, 1000)};
   problem.groups = {{.name = "g", .estimated = false, .fixed = 0.5}};
-  problem.data = {{.label = "seen", .value = 400}, {.label = "bottom", .value = 500, .at_least = true}};
+  problem.data = {{.label = "seen", .value = 400}, {.label = "bottom", .value = 500, .seen = Seen::at_least}};
   problem.model = model_of(2, [](const VectorXd& at, int) { return ValueAndGradient{at[0], VectorXd::Ones(1)}; });
   const Minimum found = refine(problem, VectorXd::Constant(1, -1000), {}, quick);
   EXPECT_TRUE(found.converged);

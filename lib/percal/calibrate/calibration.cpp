@@ -154,7 +154,7 @@ void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::ve
   result.fresh = std::move(fresh);
   int count = 0;
   for (const FreshRun& run : result.fresh)
-    if (run.depth && !job.shots[run.shot].at_least) {
+    if (run.depth && job.shots[run.shot].is_number()) {
       result.fresh_deviation += std::abs(*run.depth / job.shots[run.shot].depth - 1);
       ++count;
     }

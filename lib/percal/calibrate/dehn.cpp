@@ -64,7 +64,14 @@ JobModel dehn_model(const CalibrationJob& job) {
   return model;
 }
 
-DehnResult fit_dehn(const CalibrationJob& job) {
+DehnResult fit_dehn(const CalibrationJob& whole) {
+  CalibrationJob job = whole;
+  for (MeasuredShot& shot :
+       job.shots) {  // its depth is that of a body without end: nothing of the speed left behind a layer
+    if (shot.datum != ShotDatum::speed_left) continue;
+    shot.datum = ShotDatum::passed;
+    shot.depth = shot.layer_depth;
+  }
   const JobModel model = dehn_model(job);
   const JobFit fit = fit_job(job, model, used_shots(job), thorough_search());
   DehnResult result;

@@ -56,11 +56,11 @@ std::vector<Source> data_sources(const CalibrationJob& job, const JobModel& mode
   return sources;
 }
 
-// Which data the minimum hangs on: an "at least" that is met has no pull.
+// Which data the minimum hangs on: a side that is met has no pull to speak of.
 VectorXd active_data(const JobFit& fit) {
   VectorXd active = VectorXd::Ones(static_cast<Eigen::Index>(fit.problem.data.size()));
   for (Eigen::Index i = 0; i < active.size(); ++i)
-    if (fit.problem.data[static_cast<std::size_t>(i)].at_least && fit.best().residual[i] >= 0) active[i] = 0;
+    if (!fit.problem.data[static_cast<std::size_t>(i)].is_number() && fit.best().residual[i] == 0) active[i] = 0;
   return active;
 }
 

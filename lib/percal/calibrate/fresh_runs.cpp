@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "percal/calibrate/shot_problem.hpp"
+#include "percal/campaign/sphere_runs.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/problem/replicates.hpp"
 
@@ -49,10 +50,8 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
   for (const auto& run : runs) {
     if (!run) continue;
     ++fresh.runs;
-    if (run->result.outcome == Outcome::stopped)
-      depths.push_back(run->result.depth * job.shots[shot.shot].radius);
-    else
-      fresh.outcome = word(run->result.outcome);
+    if (const auto reach = reach_of(shot.problem, run->result)) depths.push_back(*reach * job.shots[shot.shot].radius);
+    if (run->result.outcome != Outcome::stopped) fresh.outcome = word(run->result.outcome);
   }
   if (fresh.runs == 0) return std::nullopt;
   if (static_cast<int>(depths.size()) == fresh.runs) {

@@ -1,5 +1,6 @@
 // A calibration as its TOML file says it: parameters, materials, curves, shots, hypotheses. docs/formats/calibrate.md
 #pragma once
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,14 +40,38 @@ struct CalibrationMaterial {
   std::optional<double> curve_modulus;  // Pa, true, of its stress-stretch curve: shown beside ours, used nowhere
 };
 
+// What was seen of a shot: its depth; a depth that is no smaller or no larger than one; whether it passed its layer; the speed that was
+// left to it behind the layer.
+enum class ShotDatum { depth, at_least, at_most, passed, stopped, speed_left, none };
+
+inline const char* word(ShotDatum datum) {
+  constexpr const char* words[] = {"depth", "at least", "at most", "passed", "stopped", "speed left", "none"};
+  return words[static_cast<int>(datum)];
+}
+
+inline Seen seen_of(ShotDatum datum) {
+  constexpr Seen seen[] = {Seen::number, Seen::at_least, Seen::at_most, Seen::above,
+                           Seen::below,  Seen::number,   Seen::number};
+  return seen[static_cast<int>(datum)];
+}
+
+// Whether it is about passing the layer.
+inline bool is_of_passage(ShotDatum datum) {
+  return datum == ShotDatum::passed || datum == ShotDatum::stopped || datum == ShotDatum::speed_left;
+}
+
 // A sphere shot into a material.
 struct MeasuredShot : SphereShot {  // all shots of a job have one width in radii
   std::string label;
-  int material = 0;                        // of CalibrationJob::materials
-  double speed_error = 0;                  // m/s, standard deviation
-  double depth = 0;                        // m, measured
-  double depth_error = 0;                  // m, standard deviation of this depth where one is known
-  bool at_least = false;                   // the particle was only seen to go this deep or deeper
+  int material = 0;        // of CalibrationJob::materials
+  double speed_error = 0;  // m/s, standard deviation
+  ShotDatum datum = ShotDatum::depth;
+  double depth =
+      0;  // m: measured, or bounded by this; of passed and stopped the layer's depth; of a speed left the reach (invert/reach.hpp)
+  double depth_error = 0;  // m, standard deviation of this depth where one is known
+  double speed_left = 0;   // m/s, of a datum that is one
+
+  bool is_number() const { return datum == ShotDatum::depth || datum == ShotDatum::speed_left; }
   bool used = true;                        // fitted; else only predicted
   int group = 0;                           // scatter group
   int set = 0;                             // of CalibrationJob::sets
@@ -109,6 +134,8 @@ struct TrainingSettings {
   double fine_share = 0.25;         // of each round
   double accuracy = 0.2;            // stop where the emulator's error is below this share of the data's
   double failures_tolerated = 0.5;  // share of runs without a depth; above it the job stops and says why
+  bool passage =
+      false;  // runs that pass their layer go on, and are learnt from, whether or not a shot tells of passing
   int verify_replicates = usual_replicates;
   unsigned seed = 20090401;  // of points drawn from the data, and of the phases of the training meshes
 };
@@ -135,6 +162,12 @@ struct CalibrationJob {
 // Whether erosion is judged over a length. The same share of it is then an element for spheres of every size.
 inline bool has_erosion_length(const CalibrationJob& job) {
   return !job.materials.empty() && job.materials.front().erosion_length;
+}
+
+// Whether the emulator learns what passes a layer, and with which speed.
+inline bool learns_passage(const CalibrationJob& job) {
+  return job.training.passage ||
+         std::ranges::any_of(job.shots, [](const MeasuredShot& shot) { return is_of_passage(shot.datum); });
 }
 
 // What the training meshes count.

@@ -7,6 +7,8 @@
 
 #include "percal/base/error.hpp"
 #include "percal/base/progress.hpp"
+#include "percal/estimate/scatter.hpp"
+#include "percal/invert/reach.hpp"
 #include "percal/math/distributions.hpp"
 
 namespace percal {
@@ -72,7 +74,7 @@ std::vector<Datum> shot_data(std::span<const MeasuredShot> shots, const VectorXd
                     .value = std::log(shots[k].depth),
                     .error = known_log_error(shots[k], exponents[static_cast<Eigen::Index>(k)]),
                     .group = shots[k].group,
-                    .at_least = shots[k].at_least});
+                    .seen = seen_of(shots[k].datum)});
   return data;
 }
 
@@ -96,14 +98,22 @@ SearchOptions quick_search() { return {.global_evaluations = 800, .starts = 4}; 
 SearchOptions thorough_search() { return {.global_evaluations = 4000, .starts = 8}; }
 
 double known_log_error(const MeasuredShot& shot, double speed_exponent) {
-  return std::hypot(shot.depth_error / shot.depth, speed_exponent * shot.speed_error / shot.speed);
+  double by_speed = speed_exponent;
+  if (shot.datum == ShotDatum::speed_left) by_speed -= reach_speed_slope(shot.speed_left / shot.speed);
+  return std::hypot(shot.depth_error / shot.depth, by_speed * shot.speed_error / shot.speed);
 }
 
 double scatter_freedom(const JobFit& fit, int group) {
   if (!fit.problem.groups[group].estimated) return 0;
   const auto told = std::count_if(fit.problem.data.begin(), fit.problem.data.end(),
-                                  [&](const Datum& d) { return d.group == group && !d.at_least; });
-  return std::max(1.0, static_cast<double>(told) - static_cast<double>(fit.of_model.size()));
+                                  [&](const Datum& d) { return d.group == group && d.is_number(); });
+  if (told > 0) return std::max(1.0, static_cast<double>(told) - static_cast<double>(fit.of_model.size()));
+  // Sides alone: what they tell of the scatter's square, as numbers that told as much would.
+  const ModelAnswer answer = fit.problem.model(fit.best().searched, Want::values_and_covariance);
+  std::vector<int> free(fit.problem.parameters.size());
+  std::iota(free.begin(), free.end(), 0);
+  const auto likelihood = restricted_likelihood(fit.problem, answer, fit.best().searched, fit.best().scatter, free);
+  return std::max(1.0, 2 * likelihood.fisher(group, group) * std::pow(fit.best().scatter[group], 4));
 }
 
 JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vector<int>& shots,
@@ -152,7 +162,10 @@ std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& mo
     depth.low = depth.depth * std::exp(-quantile * deviation);
     depth.high = depth.depth * std::exp(quantile * deviation);
     depth.fitted = std::find(fit.shots.begin(), fit.shots.end(), shots[k]) != fit.shots.end();
-    if (!shot.at_least) depth.deviation = depth.depth / shot.depth - 1;
+    constexpr double least_deviation = 1e-9;
+    depth.passes =
+        std::exp(log_normal_cdf((answer.value[i] - std::log(shot.layer_depth)) / std::max(deviation, least_deviation)));
+    if (shot.is_number()) depth.deviation = depth.depth / shot.depth - 1;
     depths.push_back(depth);
   }
   return depths;

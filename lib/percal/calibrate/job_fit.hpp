@@ -31,8 +31,8 @@ JobFit fit_job(const CalibrationJob& job, const JobModel& model, const std::vect
 // The known standard deviation of ln depth of a shot: of the depth, and of the speed through the exponent.
 double known_log_error(const MeasuredShot& shot, double speed_exponent);
 
-// Degrees of freedom that tell the scatter of a group: at least what the group's own data leave when all parameters are theirs. 0 where the
-// job says the scatter.
+// Degrees of freedom that tell the scatter of a group: at least what the group's own numbers leave when all parameters are theirs; of a
+// group that only tells sides, as many as would tell it as well. 0 where the job says the scatter.
 double scatter_freedom(const JobFit& fit, int group);
 
 // Depth of each shot with the interval in which one such shot would lie, at the job's level: parameters, the model's own error, the

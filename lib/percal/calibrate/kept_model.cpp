@@ -48,6 +48,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
   if (result.hypotheses.empty()) return std::nullopt;
   ShotModel kept{.level = job.level,
                  .elements = job.training.verify,
+                 .passage = learns_passage(job),
                  .replicates = job.training.verify_replicates,
                  .scene = {},
                  .shots = {},
@@ -59,8 +60,9 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
     static_cast<SphereShot&>(fired) = shot;
     fired.label = shot.label;
     fired.material = shot.material;
-    fired.depth = shot.depth;
-    fired.at_least = shot.at_least;
+    if (shot.datum != ShotDatum::none && shot.datum != ShotDatum::at_most && shot.datum != ShotDatum::stopped)
+      fired.depth = shot.datum == ShotDatum::speed_left ? shot.layer_depth : shot.depth;
+    fired.at_least = shot.datum != ShotDatum::depth && fired.depth;
     fired.fitted = shot.used;
     kept.shots.push_back(fired);
   }
@@ -73,6 +75,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
   Scene scene;
   scene.mesh.elements_per_radius = mesh_of(kept.shots.front(), material, kept.elements);
   scene.solver = job.solver;
+  if (kept.passage) scene.output.after = RunUntil::passage;
   scene.replicates = kept.replicates;
   kept.scene = scene_to_toml(scene_of_shot(std::move(scene), kept.shots.front(), material), "");
   return kept;

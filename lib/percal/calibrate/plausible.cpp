@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "percal/calibrate/job_fit.hpp"
+#include "percal/math/distributions.hpp"
 #include "percal/math/draws.hpp"
 
 namespace percal {
@@ -33,7 +34,10 @@ double objective(const JobFit& fit, const VectorXd& weights, const VectorXd& sea
   for (Eigen::Index i = 0; i < value.size(); ++i) {
     const Datum& datum = fit.problem.data[static_cast<std::size_t>(i)];
     const double residual = value[i] - datum.value;
-    if (!datum.at_least || residual < 0) sum += weights[i] * residual * residual;
+    if (const int of = side(datum.seen); of != 0)
+      sum -= 2 * log_normal_cdf(of * residual * std::sqrt(weights[i]));
+    else
+      sum += weights[i] * residual * residual;
   }
   for (std::size_t k = 0; k < fit.problem.parameters.size(); ++k) {
     const FreeParameter& parameter = fit.problem.parameters[k];

@@ -22,10 +22,11 @@ struct Estimate {
 // A depth that a model gives for a shot, and what a new shot of the kind would do.
 struct ShotDepth {
   int shot = 0;              // of CalibrationJob::shots
-  double depth = 0;          // m
+  double depth = 0;          // m; of a job that learns passing the reach (invert/reach.hpp)
   double model_error = 0;    // relative standard deviation of the model itself (emulator)
   double low = 0, high = 0;  // m: prediction interval of one shot (parameters, solver noise, scatter)
   bool fitted = true;        // it was among the data of this fit
+  double passes = 0;         // probability that one such shot goes as deep as its layer
   // ours / measured - 1; none for a shot of which only a least depth is known.
   std::optional<double> deviation = {};
 };

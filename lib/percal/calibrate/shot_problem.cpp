@@ -40,6 +40,7 @@ Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const Mate
   scene.source = job.file;
   scene.mesh.elements_per_radius = elements_per_radius;
   scene.solver = job.solver;
+  if (learns_passage(job)) scene.output.after = RunUntil::passage;
   return scene_of_shot(std::move(scene), shot, material);
 }
 

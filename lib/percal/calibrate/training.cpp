@@ -55,7 +55,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
     const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
     const double mesh = mesh_of(shot, material, fine ? job_.training.fine : job_.training.coarse);
     Problem problem = shot_problem(job_, shot, material, drawn_mesh(mesh, job_.training.seed, next_point_ + k));
-    if (emulator_) {
+    if (emulator_ && shot.datum != ShotDatum::none) {
       const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(problem), true);
       const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
       if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
@@ -130,8 +130,7 @@ void Training::count(const std::vector<Problem>& problems, const std::vector<std
     const std::string key = evaluation_key(problems[i], evaluation.instruction_level);
     if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
     taken_.push_back(key);
-    if (evaluation.result.outcome == Outcome::stopped)
-      runs_.push_back(training_run(problems[i], evaluation.result.depth));
+    if (const auto reach = reach_of(problems[i], evaluation.result)) runs_.push_back(training_run(problems[i], *reach));
   }
 }
 
@@ -158,7 +157,8 @@ void Training::take_foreign_runs() {
   const std::string setting =
       setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
   const auto usable = [&](const StoredSphere& s) {
-    return s.depth_over_radius && setting_of(s.problem) == setting &&
+    return s.reach && (learns_passage(job_) || s.outcome == word(Outcome::stopped)) &&
+           setting_of(s.problem) == setting &&
            s.problem.elements_per_radius >=
                std::min(job_.training.coarse, coarsest_foreign) / erosion_length(s.problem).value_or(1) -
                    phase_span / 2;
@@ -176,7 +176,7 @@ void Training::take_foreign_runs() {
                                         [](const auto& s, const std::string& k) { return s.key < k; });
     if (found == stored.end() || found->key != key || !usable(*found)) continue;
     taken_.push_back(key);
-    runs_.push_back(training_run(found->problem, *found->depth_over_radius));
+    runs_.push_back(training_run(found->problem, *found->reach));
     ++report_.foreign;
   }
   if (report_.foreign > 0) learn();

@@ -7,6 +7,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/impact/kernel/kernel.hpp"
+#include "percal/invert/reach.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/domain.hpp"
 #include "percal/problem/replicates.hpp"
@@ -20,10 +21,11 @@ bool is_for_an_emulator(const Problem& problem) {
   return problem.geometry == Geometry::axisymmetric && std::holds_alternative<StrainErosion>(problem.erosion);
 }
 
-std::optional<double> depth_of(const StoredEvaluation& evaluation, const Store& store) {
-  if (evaluation.outcome != word(Outcome::stopped)) return std::nullopt;
+std::optional<double> reach_of(const Problem& problem, const StoredEvaluation& evaluation, const Store& store) {
+  const bool may_have = evaluation.outcome == word(Outcome::stopped) || problem.until != RunUntil::deepest;
+  if (!may_have) return std::nullopt;
   try {
-    return from_payload(evaluation.payload).result.depth;
+    return reach_of(problem, from_payload(evaluation.payload).result);
   } catch (const std::invalid_argument& error) {
     throw IoFailure(fmt::format("{}: {}; remove the file or name another store", store.path(), error.what()));
   }
@@ -38,7 +40,8 @@ std::vector<StoredSphere> stored_spheres(const Store& store) {
   for (const auto& [key, evaluation] : store.with_prefix(stored_spheres_prefix())) {
     const auto problem = problem_of_key(key, instruction_level());
     if (!problem || !is_for_an_emulator(*problem)) continue;
-    spheres.push_back({*problem, key, evaluation.outcome, depth_of(evaluation, store), evaluation.cpu_seconds});
+    spheres.push_back(
+        {*problem, key, evaluation.outcome, reach_of(*problem, evaluation, store), evaluation.cpu_seconds});
   }
   return spheres;
 }
@@ -79,8 +82,19 @@ std::string setting_of(const Problem& problem) {
   return evaluation_key(plain, "any");
 }
 
-TrainingRun training_run(const Problem& problem, double depth_over_radius) {
-  return {.at = inputs_of(problem), .h = element_size(problem), .log_depth = std::log(depth_over_radius)};
+std::optional<double> reach_of(const Problem& problem, const ImpactResult& result) {
+  if (result.outcome == Outcome::stopped) return result.depth;
+  if (result.outcome != Outcome::passed_through || !result.aftermath) return std::nullopt;
+  const Aftermath& after = *result.aftermath;
+  if (after.ending == Ending::rests || after.ending == Ending::left_upwards) return problem.whole_depth();
+  if (after.ending != Ending::passed_through) return std::nullopt;
+  constexpr double least_loss = 0.1;  // of the energy
+  const double left = after.speed / problem.speed_factor;
+  return left * left < 1 - least_loss ? std::optional(reach_of_passage(problem.whole_depth(), left)) : std::nullopt;
+}
+
+TrainingRun training_run(const Problem& problem, double reach) {
+  return {.at = inputs_of(problem), .h = element_size(problem), .log_depth = std::log(reach)};
 }
 
 }  // namespace percal

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "percal/impact/result.hpp"
 #include "percal/invert/emulator.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/store/store.hpp"
@@ -13,8 +14,8 @@ namespace percal {
 struct StoredSphere {
   Problem problem;
   std::string key;
-  std::string outcome;                      // word(Outcome)
-  std::optional<double> depth_over_radius;  // where it stopped
+  std::string outcome;          // word(Outcome)
+  std::optional<double> reach;  // reach_of()
   double cpu_seconds = 0;
 };
 
@@ -41,7 +42,12 @@ SphereInputs inputs_of(const Problem& problem);
 // wall and bottom, viscosities, arithmetic, the solver's version, ... Of a problem with StrainErosion; its measure is not in it.
 std::string setting_of(const Problem& problem);
 
-// Of a sphere that stopped at this depth.
-TrainingRun training_run(const Problem& problem, double depth_over_radius);
+// In radii (invert/reach.hpp): the depth of a run that stopped; of one that went on past the lower face (RunUntil::passage or rest) what its
+// speed left says, or the layer's depth where the sphere was held there. Nothing of other ends, and of one that lost less than a
+// tenth of its energy.
+std::optional<double> reach_of(const Problem& problem, const ImpactResult& result);
+
+// Of a sphere with this reach.
+TrainingRun training_run(const Problem& problem, double reach);
 
 }  // namespace percal

@@ -19,7 +19,7 @@ std::vector<std::vector<double>> residual_pools(const Surroundings& near) {
   const Whitened white = whiten(problem, near.weights(), near.answer(), near.minimum().searched);
   std::vector<std::vector<double>> pools(problem.groups.size());
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
-    if (problem.data[i].at_least) continue;
+    if (!problem.data[i].is_number()) continue;
     const double leverage = white.jacobian.row(i) * near.minimum().covariance * white.jacobian.row(i).transpose();
     pools[problem.data[i].group].push_back(white.residual[i] / std::sqrt(std::max(1 - leverage, 1e-6)));
   }
@@ -57,9 +57,13 @@ CalibrationProblem drawn_anew(const Surroundings& near, const std::vector<std::v
   const VectorXd drawn = near.answer().value + coloured(near.weights(), draw_errors(problem, pools, kind, draws));
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
     Datum& datum = problem.data[i];
-    if (datum.at_least && drawn[i] >= datum.value) continue;
-    datum.at_least = false;
-    datum.value = drawn[i];
+    const double beyond = drawn[i] - datum.value;
+    if (datum.seen == Seen::above || datum.seen == Seen::below) {
+      datum.seen = beyond > 0 ? Seen::above : Seen::below;
+    } else if (datum.is_number() || side(datum.seen) * beyond < 0) {
+      datum.seen = Seen::number;
+      datum.value = drawn[i];
+    }
   }
   for (int k = 0; k < static_cast<int>(problem.parameters.size()); ++k) {
     FreeParameter& free = problem.parameters[k];

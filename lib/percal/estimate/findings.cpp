@@ -161,12 +161,30 @@ void add_rivals(const CalibrationProblem& problem, const std::vector<Minimum>& m
   }
 }
 
+// Of data of a group that tell sides, no one on the wrong side.
+bool all_sides_met(const CalibrationProblem& problem, const Minimum& best, int group) {
+  bool any = false;
+  for (std::size_t i = 0; i < problem.data.size(); ++i) {
+    if (problem.data[i].group != group || problem.data[i].is_number()) continue;
+    if (best.residual[static_cast<Eigen::Index>(i)] != 0) return false;
+    any = true;
+  }
+  return any;
+}
+
 // A group of which one datum each is fitted exactly says nothing of its scatter.
 void add_unknown_scatter(const CalibrationProblem& problem, const Minimum& best, Sentences& sentences) {
   for (int g = 0; g < static_cast<int>(problem.groups.size()); ++g) {
+    if (!problem.groups[g].estimated) continue;
+    const auto of_group = [g](const Datum& datum) { return datum.group == g; };
     const auto count =
-        std::ranges::count_if(problem.data, [g](const Datum& datum) { return datum.group == g && !datum.at_least; });
-    if (!problem.groups[g].estimated || count != 1) continue;
+        std::ranges::count_if(problem.data, [&](const Datum& d) { return of_group(d) && d.is_number(); });
+    if (count == 0 && all_sides_met(problem, best, g))
+      sentences.push_back(fmt::format(
+          "In {} nothing went one way that a more severe one did not: how far they scatter is told by the gap between "
+          "them alone, and {:.2g} was taken.",
+          problem.groups[g].name, best.scatter[g]));
+    if (count != 1) continue;
     sentences.push_back(
         fmt::format("The scatter of {} cannot be estimated from one datum; {} was taken, beside the datum's own error.",
                     problem.groups[g].name, best.scatter[g] > 0 ? fmt::format("{:.2g}", best.scatter[g]) : "none"));

@@ -63,8 +63,8 @@ double effective_degrees_of_freedom(const CalibrationProblem& problem, const Min
                                     const Eigen::VectorXd& weight);
 
 // Data drawn anew from the fitted model with the fitted errors (parametric), or residuals drawn with return (residual), each
-// fitted from the minimum with its weights. A prior is drawn anew as well, and an "at least" whose drawn number is smaller is
-// from then on a plain measurement. The same seed gives the same numbers.
+// fitted from the minimum with its weights. A prior is drawn anew as well; an "at least" whose drawn number is smaller is from
+// then on a plain measurement, and what is only ever seen on one side may come out on the other. The same seed gives the same numbers.
 enum class BootstrapKind { parametric, residual };
 struct Bootstrap {
   Eigen::MatrixXd searched;         // replicates x parameters

@@ -55,7 +55,7 @@ VectorXd into_box(const CalibrationProblem& problem, VectorXd searched, const st
 
 int degrees_of_freedom(const CalibrationProblem& problem, const VectorXd& residual, const std::vector<int>& free) {
   int count = -static_cast<int>(free.size());
-  for (std::size_t i = 0; i < problem.data.size(); ++i) count += !problem.data[i].at_least || residual[i] < 0;
+  for (std::size_t i = 0; i < problem.data.size(); ++i) count += problem.data[i].is_number() || residual[i] != 0;
   for (const int k : free) count += problem.parameters[k].prior.has_value();
   return count;
 }
@@ -68,7 +68,7 @@ Minimum describe(const CalibrationProblem& problem, const Weights& weights, cons
   minimum.scatter = scatter;
   minimum.residual = residuals(problem, answer);
   for (std::size_t i = 0; i < problem.data.size(); ++i)
-    if (problem.data[i].at_least) minimum.residual[i] = std::min(minimum.residual[i], 0.0);
+    if (side(problem.data[i].seen) * minimum.residual[i] > 0) minimum.residual[i] = 0;
   const Whitened white = whiten(problem, weights, answer, fit.searched);
   minimum.objective = white.objective();
   minimum.deviance = white.objective() + weights.log_determinant(problem.data);

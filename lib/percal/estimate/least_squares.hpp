@@ -1,5 +1,5 @@
 // Parameters fitted to data of any kind at once: weighted least squares with priors, bounds, a scatter that the data tell, and
-// data that say only "at least". What the model is, nobody here knows.                         docs/theory/calibration.md
+// data that only say on which side of a number they lie. What the model is, nobody here knows.                         docs/theory/calibration.md
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -22,13 +22,25 @@ struct FreeParameter {
   double natural(double searched) const;
 };
 
+// What a datum tells of its number: itself; that it is no smaller or no larger than the value, where it would have been measured
+// otherwise; or on which side of the value it lies, of which nothing else is ever seen.
+enum class Seen { number, at_least, at_most, above, below };
+
+// +1: from the value upwards; -1: downwards; 0: the number itself.
+inline int side(Seen seen) {
+  constexpr int sides[] = {0, 1, -1, 1, -1};
+  return sides[static_cast<int>(seen)];
+}
+
 // One measured number on the scale on which its errors are normal: ln depth, a stress.
 struct Datum {
   std::string label;
   double value = 0;
-  double error = 0;       // known standard deviation
-  int group = 0;          // index of its ScatterGroup
-  bool at_least = false;  // the true number is this or larger
+  double error = 0;  // known standard deviation
+  int group = 0;     // index of its ScatterGroup
+  Seen seen = Seen::number;
+
+  bool is_number() const { return seen == Seen::number; }
 };
 
 // What the data of a group scatter about any model, beyond their known errors: a standard deviation, added in squares.
@@ -61,14 +73,14 @@ struct Minimum {
   double objective = 0;         // sum of squared whitened residuals, priors included
   double deviance = 0;          // objective + ln det V: what minima with scatters of their own are compared by
   std::vector<double> scatter;  // of each group, standard deviation
-  Eigen::VectorXd residual;     // model - datum, on the data's scale; 0 for an "at least" that is met
+  Eigen::VectorXd residual;     // model - datum, on the data's scale; 0 for a side that is met
   // Of the parameters, linearised, searched scale; 0 for held ones. Finite always: a direction that the data leave wider than
   // the box has the box's width as its standard deviation.
   Eigen::MatrixXd covariance;
   Eigen::MatrixXd information;  // J^T W J with the priors
   std::vector<bool> at_bound;
   bool converged = false;
-  int degrees_of_freedom = 0;  // data + priors - free parameters; an "at least" that is met is not counted
+  int degrees_of_freedom = 0;  // data + priors - free parameters; a side that is met is not counted
   int evaluations = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "percal/estimate/frozen_fit.hpp"
+#include "percal/math/distributions.hpp"
 
 namespace percal {
 namespace {
@@ -13,11 +14,16 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+bool tells_a_side(const Datum& datum) { return datum.seen == Seen::above || datum.seen == Seen::below; }
+
 // What the first guess and the last word need to know of a group.
 struct GroupData {
-  std::vector<double> squared_error, squared_residual;  // of its data, "at least" left out
+  std::vector<double> squared_error, squared_residual;  // of its numbers
   double least = 0, largest = 0;                        // values
-  bool has_exact = false;                               // a datum without an error of its own
+  bool has_exact = false;                               // a number without an error of its own
+  bool has_sides = false;                               // data that only ever tell a side
+
+  bool has_sides_alone() const { return has_sides && squared_error.empty(); }
 
   double range() const {
     const double spread = largest - least, size = std::max(std::abs(least), std::abs(largest));
@@ -29,7 +35,9 @@ GroupData gather(const CalibrationProblem& problem, const VectorXd& residuals, i
   GroupData found;
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
     const Datum& datum = problem.data[i];
-    if (datum.group != group || datum.at_least) continue;
+    if (datum.group != group) continue;
+    found.has_sides |= tells_a_side(datum);
+    if (!datum.is_number()) continue;
     const bool first = found.squared_error.empty();
     found.squared_error.push_back(datum.error * datum.error);
     found.squared_residual.push_back(residuals[i] * residuals[i]);
@@ -66,10 +74,11 @@ constexpr double least_scatter = 1e-9;  // of the range of the group's values
 
 double least_scatter_squared(const CalibrationProblem& problem, int group) {
   const GroupData found = gather(problem, VectorXd::Zero(static_cast<int>(problem.data.size())), group);
+  if (found.has_sides_alone()) return least_scatter_of_sides * least_scatter_of_sides;
   return found.has_exact ? std::pow(least_scatter * found.range(), 2) : 0;
 }
 
-// K = V^-1 over the data that are not "at least": a diagonal, and a block for the correlated ones.
+// K = V^-1 over the numbers: a diagonal, and a block for the correlated ones.
 struct Precision {
   VectorXd diagonal;
   std::vector<int> correlated;
@@ -86,7 +95,7 @@ struct Precision {
 Precision precision_of(const std::vector<Datum>& data, const Weights& weights) {
   Precision precision{weights.deviation.cwiseAbs2().cwiseInverse(), weights.correlated, {}};
   for (std::size_t i = 0; i < data.size(); ++i)
-    if (data[i].at_least) precision.diagonal[i] = 0;
+    if (!data[i].is_number()) precision.diagonal[i] = 0;
   if (precision.correlated.empty()) return precision;
   const auto m = static_cast<int>(precision.correlated.size());
   const MatrixXd inverse = weights.factor.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(m, m));
@@ -94,6 +103,11 @@ Precision precision_of(const std::vector<Datum>& data, const Weights& weights) {
   precision.diagonal(precision.correlated) = precision.block.diagonal();
   return precision;
 }
+
+// Of a datum that tells a side, z deviations of size 1/sqrt(K) from its value: d(-ln Phi(z))/d scatter^2 and the information of scatter^2
+// that such a datum has before its side is known, K^2/2 times this.                                                  (7a)
+double side_score(double z, double K) { return -0.5 * z * K * log_normal_cdf_slope(z); }
+double side_information(double z) { return 0.5 * z * z * log_normal_cdf_slope(z) * log_normal_cdf_slope(-z); }
 
 double quadratic(const MatrixXd& B, const MatrixXd& A, int i, int j) { return B.row(i) * A * B.row(j).transpose(); }
 
@@ -103,9 +117,12 @@ std::vector<double> first_scatter(const CalibrationProblem& problem, const Vecto
   std::vector<double> scatter;
   for (int g = 0; g < static_cast<int>(problem.groups.size()); ++g) {
     const GroupData group = gather(problem, residuals, g);
-    scatter.push_back(problem.groups[g].estimated
-                          ? std::max(std::sqrt(moment_scatter_squared(group)), coarse_scatter * group.range())
-                          : problem.groups[g].fixed);
+    if (!problem.groups[g].estimated)
+      scatter.push_back(problem.groups[g].fixed);
+    else if (group.has_sides_alone())
+      scatter.push_back(first_scatter_of_sides);
+    else
+      scatter.push_back(std::max(std::sqrt(moment_scatter_squared(group)), coarse_scatter * group.range()));
   }
   return scatter;
 }
@@ -135,7 +152,9 @@ RestrictedLikelihood restricted_likelihood(const CalibrationProblem& problem, co
   const Whitened white = whiten(problem, weights, answer, searched);
   const Precision K = precision_of(data, weights);
   const VectorXd r = residuals(problem, answer), u = K.times(r);
-  const MatrixXd B = K.times(answer.jacobian);
+  MatrixXd B = K.times(answer.jacobian);
+  for (int i = 0; i < n; ++i)  // the whitened row is J_i d rho/dz over the deviation
+    if (tells_a_side(data[i])) B.row(i) = white.jacobian.row(i) / weights.deviation[i];
 
   RestrictedLikelihood found;
   found.score = VectorXd::Zero(groups);
@@ -144,14 +163,25 @@ RestrictedLikelihood restricted_likelihood(const CalibrationProblem& problem, co
   const MatrixXd& A = found.covariance;
   VectorXd with_no_fit = VectorXd::Zero(groups);
   std::vector<MatrixXd> G(groups, MatrixXd::Zero(p, p));  // sum over the group of B_i^T B_i
+  std::vector<bool> has_number(groups, false);
+  for (const Datum& datum : data)
+    if (datum.is_number()) has_number[datum.group] = true;
   for (int i = 0; i < n; ++i) {
-    if (data[i].at_least) continue;
+    if (!data[i].is_number() && !tells_a_side(data[i])) continue;
     const int g = data[i].group;
     const double removed = quadratic(B, A, i, i);  // K_ii - P_ii
     G[g] += B.row(i).transpose() * B.row(i);
-    found.score[g] += 0.5 * (u[i] * u[i] - K.diagonal[i] + removed);
-    with_no_fit[g] += 0.5 * K.diagonal[i] * K.diagonal[i];
-    found.fisher(g, g) += 0.5 * (K.diagonal[i] * K.diagonal[i] - 2 * K.diagonal[i] * removed);
+    double precision = K.diagonal[i], information = 1;
+    if (tells_a_side(data[i])) {
+      const double z = side(data[i].seen) * r[i] / weights.deviation[i];
+      precision = std::pow(weights.deviation[i], -2);
+      information = side_information(z);
+      found.score[g] += side_score(z, precision) + 0.5 * removed;
+    } else {
+      found.score[g] += 0.5 * (u[i] * u[i] - precision + removed);
+    }
+    with_no_fit[g] += 0.5 * information * precision * precision;
+    found.fisher(g, g) += 0.5 * information * (precision * precision - 2 * precision * removed);
   }
   for (std::size_t a = 0; a < K.correlated.size(); ++a)
     for (std::size_t b = 0; b < K.correlated.size(); ++b) {
@@ -161,7 +191,8 @@ RestrictedLikelihood restricted_likelihood(const CalibrationProblem& problem, co
           0.5 * (K.block(a, b) * K.block(a, b) - 2 * K.block(a, b) * quadratic(B, A, i, j));
     }
   for (int g = 0; g < groups; ++g) {
-    found.covariance_slope.push_back(A * G[g] * A);
+    // What sides alone tell of a parameter does not grow and shrink with their scatter as a sum of squares does: no Student's t.
+    found.covariance_slope.push_back(has_number[g] ? MatrixXd(A * G[g] * A) : MatrixXd::Zero(p, p));
     for (int h = 0; h < groups; ++h) found.fisher(g, h) += 0.5 * (A * G[g] * A * G[h]).trace();
   }
   for (int g = 0; g < groups; ++g)
@@ -179,8 +210,12 @@ std::vector<double> restricted_scatter(const CalibrationProblem& problem, const 
                                        const VectorXd& searched, std::vector<double> scatter,
                                        const std::vector<int>& free) {
   const int groups = static_cast<int>(scatter.size());
+  constexpr double most_growth = 4;  // in a step, of a scatter that sides alone tell: its likelihood is no parabola
   VectorXd least(groups), squared(groups);
+  std::vector<bool> sides_alone(groups);
   for (int g = 0; g < groups; ++g) {
+    sides_alone[g] =
+        problem.groups[g].estimated && gather(problem, VectorXd::Zero(answer.value.size()), g).has_sides_alone();
     least[g] = problem.groups[g].estimated ? least_scatter_squared(problem, g) : scatter[g] * scatter[g];
     squared[g] = std::max(least[g], scatter[g] * scatter[g]);
   }
@@ -190,6 +225,7 @@ std::vector<double> restricted_scatter(const CalibrationProblem& problem, const 
     const VectorXd before = squared;
     squared += damping * (scatter_covariance(likelihood) * likelihood.score);
     for (int g = 0; g < groups; ++g) {
+      if (sides_alone[g]) squared[g] = std::clamp(squared[g], before[g] / most_growth, before[g] * most_growth);
       const bool says_nothing = likelihood.fisher(g, g) == 0;
       squared[g] = says_nothing ? least[g] : std::max(least[g], squared[g]);
       scatter[g] = std::sqrt(squared[g]);

@@ -11,6 +11,8 @@ namespace percal {
 // From residuals about any point, as if nothing had been fitted to them, and no smaller than `coarse_scatter` of the range
 // of the group's values: a start for what follows.
 inline constexpr double coarse_scatter = 0.01;
+// Of a group whose data all tell sides alone: a start, and a least one, since sides that do not overlap are told best by none.
+inline constexpr double first_scatter_of_sides = 0.1, least_scatter_of_sides = 0.01;
 std::vector<double> first_scatter(const CalibrationProblem& problem, const Eigen::VectorXd& residuals);
 
 // The inverse of an information matrix over `free` (0 elsewhere). A direction that the data leave wider than the box gets the

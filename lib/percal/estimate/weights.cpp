@@ -10,9 +10,9 @@ namespace percal {
 namespace {
 
 bool correlates(const std::vector<Datum>& data, const Eigen::MatrixXd& covariance, int i) {
-  if (data[i].at_least) return false;
+  if (!data[i].is_number()) return false;
   for (int j = 0; j < covariance.cols(); ++j)
-    if (j != i && !data[j].at_least && covariance(i, j) != 0) return true;
+    if (j != i && data[j].is_number() && covariance(i, j) != 0) return true;
   return false;
 }
 
@@ -59,7 +59,7 @@ Weights make_weights(const std::vector<Datum>& data, const std::vector<double>& 
 double Weights::log_determinant(const std::vector<Datum>& data) const {
   double sum = 0;
   for (std::size_t i = 0; i < data.size(); ++i)
-    if (!data[i].at_least) sum += 2 * std::log(deviation[i]);
+    if (data[i].is_number()) sum += 2 * std::log(deviation[i]);
   for (std::size_t k = 0; k < correlated.size(); ++k)
     sum += 2 * std::log(factor(k, k)) - 2 * std::log(deviation[correlated[k]]);
   return sum;
@@ -74,7 +74,7 @@ double change(const Weights& before, const Weights& after) {
   return std::max(largest, (second - first).cwiseAbs().maxCoeff() / first.diagonal().maxCoeff());
 }
 
-AtLeast at_least(double z) {
+SideResidual side_residual(double z) {
   const double residual = std::sqrt(-2 * log_normal_cdf(z));
   if (residual == 0) return {};
   return {residual, -log_normal_cdf_slope(z) / residual};
@@ -99,10 +99,10 @@ Whitened whiten(const CalibrationProblem& problem, const Weights& weights, const
     white.jacobian(weights.correlated, Eigen::all) = lower.solve(rows).eval();
   }
   for (int i = 0; i < n; ++i)
-    if (data[i].at_least) {
-      const AtLeast censored = at_least(white.residual[i]);
-      white.residual[i] = censored.residual;
-      white.jacobian.row(i) *= censored.slope;
+    if (const int of = side(data[i].seen); of != 0) {
+      const auto [residual, slope] = side_residual(of * white.residual[i]);
+      white.residual[i] = residual;
+      white.jacobian.row(i) *= of * slope;
     }
 
   int row = n;

@@ -8,13 +8,13 @@
 namespace percal {
 
 // V = diag(error^2 + scatter^2) + model covariance of all data, as its Cholesky factor V = L L^T. Only the data whose model
-// errors correlate need a matrix. An "at least" is independent of all others.            docs/theory/calibration.md (2)
+// errors correlate need a matrix. A datum that is no number is independent of all others.            docs/theory/calibration.md (2)
 struct Weights {
   Eigen::VectorXd deviation;    // sqrt V_ii of each datum
   std::vector<int> correlated;  // data whose row of V has more than its diagonal
   Eigen::MatrixXd factor;       // lower triangle, of the correlated data
 
-  double log_determinant(const std::vector<Datum>& data) const;  // ln det V without the "at least"
+  double log_determinant(const std::vector<Datum>& data) const;  // ln det V of the numbers
 };
 
 // `scatter` has one standard deviation for each group; `covariance` may be empty.
@@ -36,11 +36,11 @@ struct Whitened {
 Whitened whiten(const CalibrationProblem& problem, const Weights& weights, const ModelAnswer& answer,
                 const Eigen::VectorXd& searched);
 
-// The residual of an "at least" whose model lies z deviations above its value: sqrt(-2 ln Phi(z)).       (3)
-struct AtLeast {
+// The residual of a datum that only tells a side, when the model lies z deviations on that side of its value: sqrt(-2 ln Phi(z)).  (3)
+struct SideResidual {
   double residual = 0, slope = 0;  // slope: d residual / dz
 };
-AtLeast at_least(double z);
+SideResidual side_residual(double z);
 
 // model - value of each datum.
 Eigen::VectorXd residuals(const CalibrationProblem& problem, const ModelAnswer& answer);

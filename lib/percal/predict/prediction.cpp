@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/campaign/sphere_runs.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/page/sections.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -59,7 +60,7 @@ std::vector<std::string> findings_of(const Prediction& prediction, const ShotMod
         "The data contradict each other under this hypothesis: what follows from it is no prediction to rely on.");
   for (const std::string& way : ways_outside(prediction)) findings.push_back("Beyond what was fitted: " + way + ".");
   for (const ShotPrediction& one : prediction.shots)
-    if (one.depth.passes >= may_pass)
+    if (!model.passage && one.depth.passes >= may_pass)
       findings.push_back(
           fmt::format("{}: as deep as the layer with a probability of {}. Depths near its lower face are "
                       "those of a layer that holds.",
@@ -81,6 +82,7 @@ Prediction predict(const ShotModel& model, const PredictRequest& request) {
   Prediction prediction{.request = request,
                         .material = predictor.material().name,
                         .hypothesis = model.hypotheses[request.hypothesis].name,
+                        .passage = model.passage,
                         .shots = {},
                         .speeds = {},
                         .curve = {},
@@ -119,6 +121,17 @@ Prediction predict(const ShotModel& model, const PredictRequest& request) {
   return prediction;
 }
 
+namespace {
+
+MeanOfRuns mean_reach(const Problem& problem, const std::vector<Evaluation>& runs, double radius) {
+  std::vector<double> reaches;
+  for (const Evaluation& run : runs)
+    if (const auto reach = reach_of(problem, run.result)) reaches.push_back(*reach * radius);
+  return mean_of_runs(reaches.size() == runs.size() ? reaches : std::vector<double>{});
+}
+
+}  // namespace
+
 void check_by_runs(Prediction& prediction, const ShotModel& model, Campaign& campaign) {
   const LayerMaterial& material =
       model.hypotheses[prediction.request.hypothesis].materials[prediction.request.material].points.front();
@@ -135,12 +148,12 @@ void check_by_runs(Prediction& prediction, const ShotModel& model, Campaign& cam
   for (std::size_t k = 0; k < problems.size(); ++k) {
     ShotPrediction& one = prediction.shots[k];
     CheckedByRuns checked{.runs = model.replicates,
-                          .penetration = summarise(runs[k], problems[k], reductions[k].scales),
+                          .outcome = summarise(runs[k], problems[k], reductions[k].scales).outcome,
+                          .depth = mean_reach(problems[k], runs[k], one.shot.radius),
                           .standardised = {}};
-    if (checked.penetration.depth) {
-      const double own = checked.penetration.standard_error.value_or(0) / *checked.penetration.depth;
-      checked.standardised =
-          std::log(*checked.penetration.depth / one.depth.depth) / std::hypot(one.depth.by_emulator, own);
+    if (checked.depth.mean) {
+      const double own = checked.depth.standard_error.value_or(0) / *checked.depth.mean;
+      checked.standardised = std::log(*checked.depth.mean / one.depth.depth) / std::hypot(one.depth.by_emulator, own);
     }
     one.checked = std::move(checked);
   }

@@ -13,8 +13,9 @@ namespace percal {
 // Runs of the shot at the best point of the sample, on the mesh that the prediction is of.
 struct CheckedByRuns {
   int runs = 0;
-  Penetration penetration;
-  // (ln mean depth of the runs - ln predicted) over the emulator's standard deviation and the runs' standard error; where all stopped.
+  Outcome outcome = Outcome::stopped;  // the first that is not `stopped`
+  MeanOfRuns depth;  // m; of a model that knows what passes, their reach. Nothing where a run has none
+  // (ln mean depth of the runs - ln predicted) over the emulator's standard deviation and the runs' standard error.
   std::optional<double> standardised;
 };
 
@@ -28,6 +29,7 @@ struct ShotPrediction {
 struct Prediction {
   PredictRequest request;
   std::string material, hypothesis;   // names
+  bool passage = false;               // of the model
   std::vector<ShotPrediction> shots;  // none where a range of speeds was asked for, or the number was not found
   std::vector<double> speeds;         // m/s, of the curve; empty of several shots
   std::vector<DepthPrediction> curve;

@@ -11,7 +11,7 @@
 
 namespace percal {
 
-// The depth of a shot in a layer that it does not pass through.
+// The depth of a shot in a layer that it does not pass through; of a model that knows what passes, its reach (invert/reach.hpp).
 struct DepthPrediction {
   double depth = 0;           // m: at the best point of the sample
   Between mean;               // m: of the mean over many such shots: parameters and emulator

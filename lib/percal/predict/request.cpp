@@ -201,19 +201,26 @@ PredictRequest understood(const PredictWords& words, const ShotModel& model) {
   if (!words.speed_error.empty())
     request.speed_error = one_share(words.speed_error, "--speed-error",
                                     {.low = 0, .high = 0.5, .words = "a share of the speed from 0 to 50 %"});
-  if (!words.depth.empty()) {
+  if (words.v50) {
+    if (!words.depth.empty()) refuse_option("--v50", "this beside --depth", "one of the two");
+    if (!model.passage)
+      refuse_option("--v50", "a calibration that has not learnt what passes a layer",
+                    "one with shots that passed or stopped, a speed left, or [training] passage = true");
+  }
+  if (!words.depth.empty() || words.v50) {
     request.looked_for = number_looked_for(words);
     check_left_out(*request.looked_for, words);
-    request.depth = one_quantity(words.depth, "--depth", dimension::length, positive("length"));
+    if (!words.v50) request.depth = one_quantity(words.depth, "--depth", dimension::length, positive("length"));
   } else if (!words.solve_for.empty()) {
-    refuse_option("--solve-for", in_quotes(words.solve_for) + " without --depth", "--depth beside it");
+    refuse_option("--solve-for", in_quotes(words.solve_for) + " without --depth or --v50", "one of them beside it");
   }
   if (words.speed.find("..") != std::string::npos) {
     if (!words.shots.empty()) refuse_option("--speed", "a range beside --shots", "one speed for all, or a column");
-    if (request.looked_for) refuse_option("--speed", "a range beside --depth", "one speed");
+    if (request.looked_for) refuse_option("--speed", "a range beside --depth or --v50", "one speed");
     request.speeds = quantity_range(words.speed, "--speed", dimension::speed, positive("speed"));
   }
   request.shots = shots_of(words, model, request);
+  if (words.v50) request.depth = request.shots.front().layer_depth;
   return request;
 }
 

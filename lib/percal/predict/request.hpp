@@ -19,6 +19,7 @@ struct PredictWords {
   std::string shots = {};        // CSV of many shots; a column stands before the option of its name
   std::string depth = {};        // given: what gives it is looked for
   std::string solve_for = {};    // speed, diameter, density
+  bool v50 = false;              // the number at which half of the shots pass the layer is looked for
   std::optional<double> level = {};
 };
 
@@ -37,7 +38,7 @@ struct PredictRequest {
   std::vector<NamedShot> shots;  // of which depths are asked; one where a number is looked for: what it has in common
   std::optional<QuantityRange> speeds;   // of a curve of depth over speed, m/s
   std::optional<ShotNumber> looked_for;  // the number at which the depth is
-  double depth = 0;                      // this one, m
+  double depth = 0;                      // this one, m; the layer's where passing is asked for
 };
 
 inline const char* word(ShotNumber number) {

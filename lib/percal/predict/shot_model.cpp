@@ -158,7 +158,7 @@ Json shot_to_json(const FiredShot& shot) {
           {"speed_m_s", shot.speed},
           {"layer_depth_m", shot.layer_depth},
           {"layer_width_m", shot.layer_width},
-          {"depth_m", shot.depth},
+          {"depth_m", page::finite(shot.depth)},
           {"at_least", shot.at_least},
           {"fitted", shot.fitted}};
 }
@@ -173,10 +173,11 @@ FiredShot shot_of(const Json& json, std::size_t materials) {
   shot.speed = wanted(json, "speed_m_s");
   shot.layer_depth = wanted(json, "layer_depth_m");
   shot.layer_width = wanted(json, "layer_width_m");
-  shot.depth = wanted(json, "depth_m");
+  shot.depth = page::number(json, "depth_m");
   shot.at_least = page::yes(json, "at_least");
   shot.fitted = page::yes(json, "fitted");
-  for (const double positive : {shot.radius, shot.density, shot.speed, shot.layer_depth, shot.layer_width, shot.depth})
+  for (const double positive :
+       {shot.radius, shot.density, shot.speed, shot.layer_depth, shot.layer_width, shot.depth.value_or(1)})
     if (!(positive > 0)) throw page::MissingKey("shots");
   if (!(material >= 0 && material < static_cast<double>(materials))) throw page::MissingKey("material");
   return shot;
@@ -202,6 +203,7 @@ Json shot_model_to_json(const ShotModel& model) {
   for (const ShotHypothesis& hypothesis : model.hypotheses) hypotheses.push_back(hypothesis_to_json(hypothesis));
   return {{"level", model.level},
           {"elements", model.elements},
+          {"passage", model.passage},
           {"replicates", model.replicates},
           {"scene_of_runs", model.scene},
           {"shots", shots},
@@ -218,6 +220,7 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   if (json.is_null()) throw BadInput({file, 0, "shot_model"}, "a calibration that knows of no shots", accepted);
   ShotModel model{.level = wanted(json, "level"),
                   .elements = wanted(json, "elements"),
+                  .passage = page::yes(json, "passage"),
                   .replicates = static_cast<int>(wanted(json, "replicates")),
                   .scene = page::text(json, "scene_of_runs"),
                   .shots = {},

@@ -30,9 +30,9 @@ struct ShotHypothesis {
 // A shot that was fired.
 struct FiredShot : SphereShot {
   std::string label;
-  int material = 0;       // index
-  double depth = 0;       // m
-  bool at_least = false;  // it went this deep or deeper
+  int material = 0;                  // index
+  std::optional<double> depth = {};  // m; nothing where none was seen
+  bool at_least = false;             // it went this deep or deeper
   bool fitted = true;
 };
 
@@ -52,6 +52,7 @@ inline bool is_one(const Between& range) { return range.high <= range.low * (1 +
 struct ShotModel {
   double level = 0.95;
   double elements = 0;     // of the mesh that predictions are of: per radius, or in the erosion length
+  bool passage = false;    // it knows what passes a layer: its depths are reaches (invert/reach.hpp)
   int replicates = 1;      // of a run that checks a prediction
   std::string scene = {};  // TOML of a run: its solver's settings
   std::vector<FiredShot> shots;

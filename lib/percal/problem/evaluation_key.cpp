@@ -110,6 +110,7 @@ std::string choices_text(const Problem& p) {
   if (const double coefficient = friction_coefficient(p); coefficient > 0)
     text += fmt::format(" friction={:.12g}", coefficient);
   if (p.rates != 2) text += fmt::format(" rates={}", p.rates);
+  if (p.until == RunUntil::passage) text += " until-passage";
   if (p.until == RunUntil::rest) text += " until-rest";
   return text;
 }
@@ -210,6 +211,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.volumetric_law = volumetric_law_of(words.text("volumetric"));
   if (words.alone.contains("hourglass-viscosity")) p.hourglass_form = HourglassForm::viscosity;
   if (words.alone.contains("eroded-nodes-in-contact")) p.eroded_nodes = ErodedNodes::in_contact;
+  if (words.alone.contains("until-passage")) p.until = RunUntil::passage;
   if (words.alone.contains("until-rest")) p.until = RunUntil::rest;
   if (words.values.contains("length")) p.erosion_average = AverageWithin{words.number("length")};
   if (words.values.contains("rates")) p.rates = static_cast<int>(words.number("rates"));

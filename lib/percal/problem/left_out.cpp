@@ -17,7 +17,9 @@ std::string why_the_particle_is_rigid(const Scene& scene) {
 }
 
 struct WhyItDoesNotTurn {
-  std::string operator()(const RigidSphere&) const { return "contact does not turn a round particle that goes straight down"; }
+  std::string operator()(const RigidSphere&) const {
+    return "contact does not turn a round particle that goes straight down";
+  }
   std::string operator()(const ElasticSphere&) const { return (*this)(RigidSphere{}); }
   std::string operator()(const RigidPolygon& profile) const {
     return profile.free_rotation ? "" : "the scene holds the particle as it stands";
@@ -38,7 +40,7 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
   if (problem.history_samples == 0) list.push_back({"history", "nobody asked for it"});
   if (!problem.channel) list.push_back({"radius of the channel", "nobody asked for it"});
-  if (problem.until == RunUntil::deepest)
+  if (problem.until != RunUntil::rest)
     list.push_back({"what follows the deepest point", "the scene wants the deepest point"});
   if (std::holds_alternative<NoRelaxation>(problem.relaxation))
     list.push_back({"rate dependence", "the scene gives none"});

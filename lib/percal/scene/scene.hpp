@@ -104,7 +104,7 @@ struct NoFibres {
 // In all directions of the layer's plane alike: W_f = (k1/(2 k2)) (exp(k2 E^2) - 1) where E = kappa (C_r + C_hoop) + (1 - 2 kappa) C_z -
 // 1 of the isochoric C is positive, else 0.     docs/theory/target.md, Fibres
 struct PlanarFibres {
-  double k1;           // Pa in a scene, over rho_t v^2 in a problem
+  double k1;  // Pa in a scene, over rho_t v^2 in a problem
   double k2;
   double kappa = 0.5;  // dispersion out of the plane: 1/2 none, 1/3 the same in all directions of space
   bool operator==(const PlanarFibres&) const = default;
@@ -226,8 +226,9 @@ struct SolverScene {
   bool operator==(const SolverScene&) const = default;
 };
 
-// How long a run goes on: to the deepest point, or past it until the particle rests or leaves.
-enum class RunUntil { deepest, rest };
+// How long a run goes on: to the deepest point or the target's lower face; where that was reached, until the particle has passed or is
+// held; past the deepest point, too, until the particle rests or leaves.
+enum class RunUntil { deepest, passage, rest };
 
 struct OutputScene {
   bool history = false;                // the penetration history as CSV

@@ -43,7 +43,8 @@ Relaxation read_relaxation(const TomlTable& target) {
 Fibres read_fibres(const TomlTable& layer) {
   const auto table = layer.optional_table("fibres");
   if (!table) return NoFibres{};
-  const Range dispersion{.low = 1.0 / 3, .high = 0.5, .words = "a number from 1/3 (in all directions) to 1/2 (in the layer's plane)"};
+  const Range dispersion{
+      .low = 1.0 / 3, .high = 0.5, .words = "a number from 1/3 (in all directions) to 1/2 (in the layer's plane)"};
   PlanarFibres fibres{.k1 = table->quantity("k1", dimension::pressure, positive("pressure")),
                       .k2 = table->number("k2", positive())};
   fibres.kappa = table->number("kappa", dispersion, fibres.kappa);
@@ -196,7 +197,7 @@ const std::vector<std::string>& eroded_node_words() {
   return words;
 }
 const std::vector<std::string>& run_until_words() {
-  static const std::vector<std::string> words{"deepest", "rest"};
+  static const std::vector<std::string> words{"deepest", "passage", "rest"};
   return words;
 }
 

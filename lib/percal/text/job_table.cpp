@@ -43,6 +43,22 @@ std::vector<double> column_of(const TomlTable& block, const std::string& key, co
   return values;
 }
 
+std::vector<std::optional<double>> some_of_column(const TomlTable& block, const std::string& key, const CsvTable& table,
+                                                  const Dimension& dimension, const Range& range) {
+  std::vector<std::optional<double>> all(table.rows.size());
+  block.describe(key, column_form(name_of(dimension)));
+  block.knows(key);
+  if (!block.has(key)) return all;
+  const int column = column_index(block, key, table);
+  CsvTable filled = table;
+  std::erase_if(filled.rows, [&](const CsvRow& row) { return table.cell(row, column).empty(); });
+  const auto values = column_of(block, key, filled, dimension, range);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!table.cell(table.rows[i], column).empty()) all[i] = values[next++];
+  return all;
+}
+
 std::vector<double> values_of_rows(const TomlTable& block, const std::string& key, const CsvTable& table,
                                    const Dimension& dimension, const Range& range) {
   const std::string column = key + "_column";

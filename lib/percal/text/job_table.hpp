@@ -18,6 +18,10 @@ int column_index(const TomlTable& block, const std::string& key, const CsvTable&
 std::vector<double> column_of(const TomlTable& block, const std::string& key, const CsvTable& table,
                               const Dimension& dimension, const Range& range = positive());
 
+// The same of a column whose cells may be empty; nothing in every row where the block has no such key.
+std::vector<std::optional<double>> some_of_column(const TomlTable& block, const std::string& key, const CsvTable& table,
+                                                  const Dimension& dimension, const Range& range = positive());
+
 // One number for all rows (`key`), or the column that `key`_column names.
 std::vector<double> values_of_rows(const TomlTable& block, const std::string& key, const CsvTable& table,
                                    const Dimension& dimension, const Range& range);

@@ -213,6 +213,7 @@ def predict(
     result: _Path | Mapping[str, Any],
     *,
     level: float | None = None,
+    v50: bool = False,
     verify: bool = False,
     store: _Path | None = None,
     threads: int = 0,

@@ -83,13 +83,14 @@ class Prediction(_Result):
         return f"Prediction({'; '.join(shots) or str(self.curve['depth_m'].size) + ' speeds'})"
 
 
-def predict(result, *, level=None, verify=False, store=None, threads=0, **said):
+def predict(result, *, level=None, v50=False, verify=False, store=None, threads=0, **said):
     """Shots that were not fired, from a finished calibration: percal predict.
 
     result: of percal.calibrate(), or its result.json or folder; said: the program's options as texts with their units or as SI
     numbers: speed ("83 m/s", "50..250 m/s"), radius or diameter, particle_density or particle_mass, layer_depth, speed_error, shots
-    (a CSV), depth and solve_for, material, hypothesis. What is left out is what the fitted shots have in common. verify: run the
-    solver at every shot, with the store and threads of calibrate().
+    (a CSV), depth and solve_for, material, hypothesis. What is left out is what the fitted shots have in common. v50: look,
+    in place of depth, for the number at which half of the shots pass the layer; verify: run the solver at every shot, with the store
+    and threads of calibrate().
     """
     if isinstance(result, Mapping):
         text, name = json.dumps(getattr(result, "result", result)), "this result"
@@ -99,7 +100,7 @@ def predict(result, *, level=None, verify=False, store=None, threads=0, **said):
             name = os.path.join(name, "result.json")
         with open(name, encoding="utf-8") as file:
             text = file.read()
-    return Prediction(json.loads(_core.predict(text, name, _words(said), level, verify, _store(store), threads)))
+    return Prediction(json.loads(_core.predict(text, name, _words(said), level, v50, verify, _store(store), threads)))
 
 
 class Inversion(_Result):

@@ -219,6 +219,7 @@ void read_training(const TomlTable& root, CalibrationJob& job) {
   t.fine_share = share_from(*block, "fine_share", share, t.fine_share);
   t.accuracy = share_from(*block, "accuracy", some_share, t.accuracy);
   t.failures_tolerated = share_from(*block, "failures_tolerated", share, t.failures_tolerated);
+  t.passage = block->flag("passage", t.passage);
   t.verify_replicates = block->integer("verify_replicates", 1, 100, t.verify_replicates);
   t.seed = static_cast<unsigned>(block->integer("seed", 0, 2147483647, static_cast<int>(t.seed)));
 }

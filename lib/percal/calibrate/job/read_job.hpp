@@ -10,8 +10,14 @@ namespace percal {
 
 // read_data.cpp
 void read_scatter_groups(const TomlTable& root, CalibrationJob& job);
-void read_shots(const TomlTable& root, CalibrationJob& job);
 void read_job_curves(const TomlTable& root, CalibrationJob& job);
+// Of the block's material.
+int material_index(const TomlTable& block, const CalibrationJob& job);
+// Of the block's scatter group: `fallback` where it names none, made where nobody has declared it.
+int group_index(const TomlTable& block, const std::string& fallback, CalibrationJob& job);
+
+// read_shots.cpp
+void read_shots(const TomlTable& root, CalibrationJob& job);
 
 // layer_width.cpp
 // One width in radii for all shots: what some of them give, or what the widest of them needs.

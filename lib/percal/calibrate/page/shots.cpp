@@ -7,15 +7,20 @@
 #include <set>
 
 #include "percal/calibrate/page/sections.hpp"
+#include "percal/invert/reach.hpp"
 #include "percal/page/numbers.hpp"
 
 namespace percal::calibration_page {
 namespace {
 
-// The depth, or the least depth: two keys, of which one is null.
+// What was seen, and its number: the keys that are not of it are null.
 Json measured_to_json(const MeasuredShot& shot) {
-  return {{"measured_m", shot.at_least ? Json() : Json(shot.depth)},
-          {"measured_at_least_m", shot.at_least ? Json(shot.depth) : Json()}};
+  const auto of = [&](ShotDatum datum, double value) { return shot.datum == datum ? Json(value) : Json(); };
+  return {{"seen", word(shot.datum)},
+          {"measured_m", of(ShotDatum::depth, shot.depth)},
+          {"measured_at_least_m", of(ShotDatum::at_least, shot.depth)},
+          {"measured_at_most_m", of(ShotDatum::at_most, shot.depth)},
+          {"speed_left_m_s", of(ShotDatum::speed_left, shot.speed_left)}};
 }
 
 }  // namespace
@@ -51,6 +56,7 @@ Json shots_to_json(const CalibrationJob& job, const std::vector<ShotDepth>& dept
                    {"high_m", finite(depth.high)},
                    {"model_error", finite(depth.model_error)},
                    {"fitted", depth.fitted},
+                   {"passes_probability", finite(depth.passes)},
                    {"deviation", finite(depth.deviation)}});
     all.back().update(measured_to_json(shot));
   }
@@ -85,8 +91,34 @@ double impact_parameter(const Json& datum) {
          number_or(datum, "radius_m", nowhere);
 }
 
+bool is_of_passage(const Json& entry) {
+  const std::string seen = text(entry, "seen");
+  return seen == "passed" || seen == "stopped" || seen == "speed left";
+}
+
 std::string measured_words(const Json& shot) {
-  return (number(shot, "measured_m") ? "" : "at least ") + length(measured_depth(shot));
+  const std::string seen = text(shot, "seen");
+  if (seen == "depth") return length(number(shot, "measured_m"));
+  if (seen == "at least") return "at least " + length(number(shot, "measured_at_least_m"));
+  if (seen == "at most") return "at most " + length(number(shot, "measured_at_most_m"));
+  if (seen == "speed left") return quantity(number(shot, "speed_left_m_s"), dimension::speed) + " left";
+  return seen == "none" ? "" : seen;
+}
+
+// Of a shot that tells of passing: what its reach means in its layer.
+std::string reach_words(const Json& result, const Json& entry, const char* key) {
+  const Json& datum = datum_of(result, entry);
+  const double layer = number_or(datum, "layer_depth_m", nowhere);
+  const auto reach = number(entry, key);
+  if (!is_of_passage(entry) || !reach || *reach <= layer) return length(reach);
+  return quantity(std::optional(share_left(layer, *reach) * number_or(datum, "speed_m_s", nowhere)), dimension::speed) +
+         " left";
+}
+
+std::string interval_of_shot(const Json& result, const Json& entry) {
+  if (is_of_passage(entry) && text(entry, "seen") != "speed left")
+    return "passes with " + percent(number_or(entry, "passes_probability", nowhere));
+  return reach_words(result, entry, "low_m") + " to " + reach_words(result, entry, "high_m");
 }
 
 // A shot's entry of a hypothesis, or of the closed form; null where there is none.
@@ -115,12 +147,15 @@ Table deviation_table(const Json& result) {
     for (const Json* column : columns) {
       const Json& entry = entry_of(*column, i);
       row.push_back(number(entry, "deviation") ? signed_percent(number(entry, "deviation"))
-                                               : length(number(entry, "depth_m")));
+                                               : reach_words(result, entry, "depth_m"));
       if (at(entry, "fitted") == Json(false)) row.back() += ", predicted";
     }
     table.rows.push_back(row);
   }
-  table.notes.push_back("Of shots whose depth is only known to be at least something: the model's depth.");
+  table.notes.push_back("Of shots without a measured number: the model's depth, or the speed left behind the layer.");
+  if (std::ranges::any_of(shots, [](const Json& shot) { return text(shot, "seen") == "speed left"; }))
+    table.notes.push_back(
+        "Of a speed left: the deviation of the reach L/(1 - (v_left/v)^2), the depth at which all energy would be gone.");
   return table;
 }
 
@@ -128,8 +163,8 @@ Table depth_table(const Json& result, const Json& hypothesis) {
   Table table{
       .caption = "Depths", .rows = {{"shot", "measured", "model", level_words(result) + " of one shot"}}, .notes = {}};
   for (const Json& entry : list(hypothesis, "shots"))
-    table.rows.push_back({text(entry, "label"), measured_words(entry), length(number(entry, "depth_m")),
-                          length(number(entry, "low_m")) + " to " + length(number(entry, "high_m"))});
+    table.rows.push_back({text(entry, "label"), measured_words(entry), reach_words(result, entry, "depth_m"),
+                          interval_of_shot(result, entry)});
   return table;
 }
 

@@ -108,8 +108,7 @@ class March {
     const auto row_of = [&](double depth) {
       return std::min(end, std::max(0, static_cast<int>(depth / height)) / kernel_.lanes * kernel_.lanes);
     };
-    const Rows around{row_of(particle_.tip() - near_behind),
-                      std::min(end, row_of(particle_.tip()) + kernel_.lanes)};
+    const Rows around{row_of(particle_.tip() - near_behind), std::min(end, row_of(particle_.tip()) + kernel_.lanes)};
     const ContactColumns columns = zone_.columns();
     near_.clear();
     near_.add(std::max(0, columns.begin - 1), std::min(columns.end, block_.mesh().columns()), around);
@@ -170,7 +169,10 @@ class March {
   // Past the deepest point, or out of the target where it is free below: what the run says up to here is put aside.
   bool goes_on() {
     const bool passes = result_.outcome == Outcome::passed_through;
-    if (problem_.until != RunUntil::rest || at_deepest_ || !(passes || result_.outcome == Outcome::stopped)) return false;
+    const bool rests = result_.outcome == Outcome::stopped;
+    if (at_deepest_ ||
+        !((problem_.until != RunUntil::deepest && passes) || (problem_.until == RunUntil::rest && rests)))
+      return false;
     ImpactResult here = at_one_time([this] {
       take_stock();
       return result_;
@@ -184,6 +186,7 @@ class March {
 
   bool rests_or_has_left() {
     ending_ = rest_watch_.look({time_, particle_.tip(), particle_.top(), particle_.speed()});
+    if (problem_.until == RunUntil::passage && particle_.speed() <= 0) ending_ = Ending::rests;
     return ending_.has_value();
   }
 
@@ -191,7 +194,8 @@ class March {
   ImpactResult with_aftermath(ImpactResult deepest) const {
     Ending ending = ending_.value_or(Ending::time_up);
     if (result_.outcome == Outcome::unstable) ending = Ending::unstable;
-    deepest.aftermath = rest_watch_.aftermath(ending, {time_, particle_.tip(), particle_.top(), particle_.speed()}, result_);
+    deepest.aftermath =
+        rest_watch_.aftermath(ending, {time_, particle_.tip(), particle_.top(), particle_.speed()}, result_);
     deepest.steps = result_.steps;
     deepest.element_steps = result_.element_steps;
     deepest.helper_cpu_seconds = result_.helper_cpu_seconds;
@@ -353,10 +357,10 @@ class March {
   RestWatch rest_watch_;
   std::optional<ImpactResult> at_deepest_;  // where the run goes on past it
   std::optional<Ending> ending_;            // then
-  FrameObserver* const observer_;  // null where nobody looks on
+  FrameObserver* const observer_;           // null where nobody looks on
   const int substeps_;
-  NearCells before_;         // those of the last move
-  NearCells near_;           // elements that take the short step
+  NearCells before_;  // those of the last move
+  NearCells near_;    // elements that take the short step
   SweepReport forces_;
   ImpactResult result_;
   double time_ = 0, step_ = 0, last_step_ = 0, last_far_step_ = 0, far_inverse_step_ = 0;

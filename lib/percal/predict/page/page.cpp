@@ -23,9 +23,34 @@ std::string sphere_words(const Json& shot) {
                      quantity(number(shot, "density_kg_m3"), dimension::density));
 }
 
+// Where the layer is passed, the speed left.
+std::string depth_words(const Json& point) {
+  const Json& left = at(point, "speed_left");
+  if (left.is_null() || number_or(left, "speed_left_m_s", 0) == 0) return value_words(point, "depth_m");
+  return value_words(left, "speed_left_m_s") + " left";
+}
+std::string depth_interval_words(const Json& point, const std::string& of) {
+  const Json& left = at(point, "speed_left");
+  const std::string key = of + "_interval_m", key_left = "speed_left_" + of + "_interval_m_s";
+  if (left.is_null() || number_or(at(left, key_left), "high", 0) == 0) return interval_words(point, key);
+  if (number_or(at(left, key_left), "low", 0) > 0) return interval_words(left, key_left) + " left";
+  return length(number(at(point, key), "low")) + " to " +
+         quantity(number(at(left, key_left), "high"), dimension::speed) + " left";
+}
+
 std::string solved_words(const Json& result) {
   const Json& solved = at(result, "solved");
   const std::string number_of = text(solved, "looked_for");
+  if (yes(solved, "passing")) {
+    const std::string layer = value_words(solved, "wanted_depth_m");
+    if (!yes(solved, "found"))
+      return fmt::format("No {} passes {} of {} within a factor of {:g} of where the search began.", number_of, layer,
+                         text(result, "material"), solved_within);
+    return fmt::format("At a {} of {} half of the shots pass {} of {} ({} {}); {} pass between {}.", number_of,
+                       value_words(solved, "value", 4), layer, text(result, "material"), level_words(result),
+                       interval_words(solved, "value_mean_interval"), level_words(result),
+                       interval_words(solved, "value_shot_interval"));
+  }
   if (!yes(solved, "found"))
     return fmt::format("No {} gives {} within a factor of {:g} of where the search began.", number_of,
                        value_words(solved, "wanted_depth_m"), solved_within);
@@ -39,9 +64,14 @@ std::string summary_of(const Json& result) {
   const Json& shots = list(result, "shots");
   if (shots.size() == 1) {
     const Json& shot = shots[0];
+    if (const Json& left = at(shot, "speed_left"); !left.is_null() && number_or(left, "speed_left_m_s", 0) > 0)
+      return fmt::format("Through {} of {}, {} at {} passes with {} left; {} of such shots: {}. {} of them pass.",
+                         value_words(shot, "layer_depth_m"), text(result, "material"), sphere_words(shot),
+                         value_words(shot, "speed_m_s", 4), value_words(left, "speed_left_m_s"), level_words(result),
+                         depth_interval_words(shot, "shot"), percent(number(shot, "passes_probability")));
     return fmt::format("Into {}, {} at {} goes {} deep; {} of such shots: {}.", text(result, "material"),
                        sphere_words(shot), value_words(shot, "speed_m_s", 4), value_words(shot, "depth_m"),
-                       level_words(result), interval_words(shot, "shot_interval_m"));
+                       level_words(result), depth_interval_words(shot, "shot"));
   }
   const Json& curve = list(result, "curve");
   if (shots.empty() && !curve.empty())
@@ -56,9 +86,14 @@ Table shot_table(const Json& result) {
   Table table{.caption = "Depths",
               .rows = {{"shot", "depth", level_words(result) + " of the mean", level_words(result) + " of one shot"}},
               .notes = {"The mean: of many such shots; parameters and emulator. One shot: its scatter, too."}};
-  for (const Json& shot : list(result, "shots"))
-    table.rows.push_back({text(shot, "label"), value_words(shot, "depth_m"), interval_words(shot, "mean_interval_m"),
-                          interval_words(shot, "shot_interval_m")});
+  bool knows_passage = false;
+  for (const Json& shot : list(result, "shots")) knows_passage |= !at(shot, "speed_left").is_null();
+  if (knows_passage) table.rows[0].push_back("passes");
+  for (const Json& shot : list(result, "shots")) {
+    table.rows.push_back({text(shot, "label"), depth_words(shot), depth_interval_words(shot, "mean"),
+                          depth_interval_words(shot, "shot")});
+    if (knows_passage) table.rows.back().push_back(percent(number(shot, "passes_probability")));
+  }
   return table;
 }
 
@@ -69,8 +104,8 @@ Table curve_table(const Json& result) {
   const Json& curve = list(result, "curve");
   constexpr std::size_t every = 4;  // the figure has them all
   for (std::size_t k = 0; k < curve.size(); k += every)
-    table.rows.push_back({value_words(curve[k], "speed_m_s", 4), value_words(curve[k], "depth_m"),
-                          interval_words(curve[k], "mean_interval_m"), interval_words(curve[k], "shot_interval_m")});
+    table.rows.push_back({value_words(curve[k], "speed_m_s", 4), depth_words(curve[k]),
+                          depth_interval_words(curve[k], "mean"), depth_interval_words(curve[k], "shot")});
   return table;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "percal/invert/reach.hpp"
 #include "percal/plot/quoted.hpp"
 #include "percal/predict/page/page.hpp"
 
@@ -21,6 +22,15 @@ Json shot_to_json(const SphereShot& shot) {
           {"layer_depth_m", shot.layer_depth}};
 }
 
+// Of a model that knows what passes: what the reach means behind the layer.
+Json speed_left_to_json(const DepthPrediction& depth, const SphereShot& shot) {
+  const auto left = [&](double reach) { return shot.speed * share_left(shot.layer_depth, reach); };
+  const auto ends = [&](const Between& reach) { return between_to_json({left(reach.low), left(reach.high)}); };
+  return {{"speed_left_m_s", finite(left(depth.depth))},
+          {"speed_left_mean_interval_m_s", ends(depth.mean)},
+          {"speed_left_shot_interval_m_s", ends(depth.shot)}};
+}
+
 Json depth_to_json(const DepthPrediction& depth) {
   return {{"depth_m", finite(depth.depth)},
           {"mean_interval_m", between_to_json(depth.mean)},
@@ -37,15 +47,16 @@ Json depth_to_json(const DepthPrediction& depth) {
 
 Json checked_to_json(const CheckedByRuns& checked) {
   return {{"runs", checked.runs},
-          {"outcome", word(checked.penetration.outcome)},
-          {"run_depth_m", finite(checked.penetration.depth)},
-          {"run_standard_error_m", finite(checked.penetration.standard_error)},
+          {"outcome", word(checked.outcome)},
+          {"run_depth_m", finite(checked.depth.mean)},
+          {"run_standard_error_m", finite(checked.depth.standard_error)},
           {"standardised_difference", finite(checked.standardised)}};
 }
 
-Json predicted_to_json(const ShotPrediction& one) {
+Json predicted_to_json(const ShotPrediction& one, bool passage) {
   Json json = shot_to_json(one.shot);
   json.update(depth_to_json(one.depth));
+  json["speed_left"] = passage ? speed_left_to_json(one.depth, one.shot) : Json();
   json["label"] = one.shot.label;
   json["elsewhere_m"] = one.elsewhere;
   json["checked"] = one.checked ? checked_to_json(*one.checked) : Json();
@@ -58,7 +69,10 @@ const char* unit_of(ShotNumber number) {
 
 Json solved_to_json(const PredictRequest& request, const SolvedShot& solved) {
   const auto key_of = [&](const std::string& key) { return key + unit_of(*request.looked_for); };
-  Json json{{"looked_for", word(*request.looked_for)}, {"found", solved.found}, {"wanted_depth_m", request.depth}};
+  Json json{{"looked_for", word(*request.looked_for)},
+            {"found", solved.found},
+            {"passing", request.words.v50},
+            {"wanted_depth_m", request.depth}};
   json[key_of("value")] = solved.found ? finite(solved.value) : Json();
   json[key_of("value_mean_interval")] = solved.found ? between_to_json(solved.mean) : Json();
   json[key_of("value_shot_interval")] = solved.found ? between_to_json(solved.shot) : Json();
@@ -69,6 +83,7 @@ Json words_to_json(PredictWords words, const std::string& result) {
   Json json{{"result", result}};
   for (const auto& [name, said] : named_texts(words))
     if (!said->empty()) json[name] = *said;
+  if (words.v50) json["v50"] = true;
   return json;
 }
 
@@ -77,15 +92,18 @@ Json words_to_json(PredictWords words, const std::string& result) {
 Json prediction_to_json(const Prediction& prediction, const std::string& result) {
   const PredictRequest& request = prediction.request;
   Json shots = Json::array(), curve = Json::array(), fired = Json::array();
-  for (const ShotPrediction& one : prediction.shots) shots.push_back(predicted_to_json(one));
+  for (const ShotPrediction& one : prediction.shots) shots.push_back(predicted_to_json(one, prediction.passage));
   for (std::size_t k = 0; k < prediction.curve.size(); ++k) {
+    SphereShot shot = request.shots.front();
+    shot.speed = prediction.speeds[k];
     curve.push_back(depth_to_json(prediction.curve[k]));
-    curve.back()["speed_m_s"] = prediction.speeds[k];
+    curve.back()["speed_m_s"] = shot.speed;
+    curve.back()["speed_left"] = prediction.passage ? speed_left_to_json(prediction.curve[k], shot) : Json();
   }
   for (const FiredShot& shot : prediction.fired)
     fired.push_back({{"label", shot.label},
                      {"speed_m_s", shot.speed},
-                     {"measured_depth_m", shot.depth},
+                     {"measured_depth_m", page::finite(shot.depth)},
                      {"at_least", shot.at_least},
                      {"fitted", shot.fitted}});
   Json json = page::result_head("predict", words_to_json(request.words, result));
@@ -107,11 +125,14 @@ Json prediction_to_json(const Prediction& prediction, const std::string& result)
 std::string prediction_to_csv(const Prediction& prediction) {
   std::string csv =
       "label,radius_m,density_kg_m3,speed_m_s,layer_depth_m,depth_m,mean_low_m,mean_high_m,shot_low_m,shot_high_m,"
-      "passes_probability,outside\n";
+      "passes_probability,speed_left_m_s,outside\n";
   const auto row = [&](const std::string& label, const SphereShot& shot, const DepthPrediction& depth) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_quoted(label), shot.radius, shot.density,
-                       shot.speed, shot.layer_depth, depth.depth, depth.mean.low, depth.mean.high, depth.shot.low,
-                       depth.shot.high, depth.passes, csv_quoted(fmt::format("{}", fmt::join(depth.outside, "; "))));
+    const std::string left =
+        prediction.passage ? fmt::format("{}", shot.speed * share_left(shot.layer_depth, depth.depth)) : "";
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_quoted(label), shot.radius, shot.density,
+                    shot.speed, shot.layer_depth, depth.depth, depth.mean.low, depth.mean.high, depth.shot.low,
+                    depth.shot.high, depth.passes, left, csv_quoted(fmt::format("{}", fmt::join(depth.outside, "; "))));
   };
   for (const ShotPrediction& one : prediction.shots) row(one.shot.label, one.shot, one.depth);
   if (prediction.request.speeds)
