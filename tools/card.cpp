@@ -170,7 +170,9 @@ json points_of(const CardMaterial& material, const CurveRange& range) {
 
 }  // namespace
 
-Exit run_card_write(const CardArguments& card, const Common& common) {
+Exit run_card_write(const CardArguments& arguments, const Common& common) {
+  CardArguments card = arguments;
+  card.result = result_file(card.result);
   const UnitSystem units = unit_system(card.units.empty() ? "si" : card.units);
   refuse_document(card.result, "the result.json of fit, identify or calibrate, or of card read --json");
   CardMaterial material = card_of_result(read_file(card.result), card.result, request_of(card));

@@ -268,7 +268,7 @@ void add_scale(CLI::App& app, ScaleArguments& scale, Common& common, std::vector
 
 void add_card_write(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
   auto* command = card_command.add_subcommand("write", "write the card of a result");
-  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or of card read --json")
+  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or its folder; or of card read --json")
       ->required();
   auto targets = solver_words();
   auto* solver = command->add_option("--solver", card.solver, listed(targets) + ", or csv for a table")->required();

@@ -57,7 +57,7 @@ TEST_F(CalibratePageOfResult, TheSummaryIsTheModulusWithItsInterval) {
 
 TEST_F(CalibratePageOfResult, TheAnswerHasTheNumbersUnderEveryHypothesis) {
   EXPECT_THAT(words("asked"),
-              HasSubstr("mu, mu_hard, alpha, strain from 6 depths (4 fitted) and 1 curve (synthetic: tension), under 2 "
+              HasSubstr("mu, mu_hard, alpha, strain from 6 shots (4 fitted) and 1 curve (synthetic: tension), under 2 "
                         "hypotheses."));
   EXPECT_THAT(
       words("answer"),

@@ -9,6 +9,7 @@
 #include "percal/campaign/campaign.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/problem/domain.hpp"
+#include "percal/problem/replicates.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -60,6 +61,27 @@ TEST_F(SphereRunsTest, ASphereThatDidNotStopHasNoDepth) {
   ASSERT_EQ(stored_spheres(store).size(), 1u);
   EXPECT_EQ(stored_spheres(store)[0].outcome, "passed through");
   EXPECT_FALSE(stored_spheres(store)[0].reach);
+}
+
+TEST_F(SphereRunsTest, OfOneThatWentOnBehindItsLayerTheSpeedLeftIsAReach) {
+  Campaign campaign(&store, 1);
+  Problem thin = quick_shot(100);
+  thin.depth = 3;
+  thin.density_ratio = 4;
+  thin.until = RunUntil::passage;
+  const Evaluation run = campaign.evaluate(replicates_of(thin, 3)[2]);
+  ASSERT_EQ(run.result.aftermath->ending, Ending::passed_through);
+  const Problem& problem = stored_spheres(store)[0].problem;
+  const double left = run.result.aftermath->speed / problem.speed_factor;
+  EXPECT_NE(problem.speed_factor, 1);
+  EXPECT_DOUBLE_EQ(*stored_spheres(store)[0].reach, 3 / (1 - left * left));
+
+  ImpactResult held = run.result;
+  held.aftermath->ending = Ending::rests;
+  EXPECT_EQ(reach_of(problem, held), 3);
+  ImpactResult hardly_slowed = run.result;
+  hardly_slowed.aftermath->speed = 0.96 * problem.speed_factor;
+  EXPECT_FALSE(reach_of(problem, hardly_slowed));
 }
 
 TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {

@@ -82,6 +82,29 @@ TEST(Aftermath, EachWayToEndHasItsName) {
   EXPECT_FALSE(run_impact(to_rest(hurried)).aftermath) << "its time was up before it was deepest";
 }
 
+// What stops ends there; what passes leaves as in a run to rest; what is held by what it has pushed out rests.
+TEST(Aftermath, OfAPassageIsOnlyThatOfARunThatReachesTheLowerFace) {
+  const auto of_passage = [](Problem p) {
+    p.until = RunUntil::passage;
+    return run_impact(p);
+  };
+  const ImpactResult stopped = of_passage(thrown_back());
+  same_bits(stopped, run_impact(thrown_back()));
+  EXPECT_FALSE(stopped.aftermath);
+  const ImpactResult passed = of_passage(passes_through());
+  ASSERT_TRUE(passed.aftermath);
+  EXPECT_EQ(passed.aftermath->ending, Ending::passed_through);
+  EXPECT_EQ(passed.aftermath->speed, run_impact(to_rest(passes_through())).aftermath->speed);
+  Problem held = setting_s(4);
+  held.density_ratio = 2;
+  ImpactResult result;
+  for (held.depth = 12; result.outcome != Outcome::passed_through && held.depth > 2; held.depth *= 0.99)
+    result = of_passage(held);  // until the tip just reaches the lower face
+  ASSERT_TRUE(result.aftermath);
+  EXPECT_EQ(result.aftermath->ending, Ending::rests);
+  EXPECT_LE(result.aftermath->speed, 0);
+}
+
 // The particle is rigid and does not turn: its share of the energy is its speed's square.
 TEST(Aftermath, TheSpeedInFreeFlightIsWhatTheLedgerSays) {
   for (const Problem& problem : {thrown_back(), passes_through()}) {
@@ -124,7 +147,8 @@ TEST(Aftermath, TheFinalDepthIsTheMiddleOfWhereTheTipWasInTheLastHalfOfTheTime) 
         low = std::max(low, point.tip);
         high = std::min(high, point.tip);
       }
-    EXPECT_NEAR(after.depth, (low + high) / 2, 0.02) << "the watch keeps it in intervals of a quarter of a radius' time";
+    EXPECT_NEAR(after.depth, (low + high) / 2, 0.02)
+        << "the watch keeps it in intervals of a quarter of a radius' time";
     EXPECT_NEAR(after.half_width, (low - high) / 2, 0.02);
     if (after.ending == Ending::rests) EXPECT_LE(after.half_width, 0.025 * result.depth);
     EXPECT_LT(after.depth, result.depth);
@@ -174,7 +198,9 @@ std::pair<std::optional<Ending>, RestWatch::Swing> watched(const Tip& tip, doubl
 TEST(RestWatch, ASwingThatDiesOutRestsAndItsLimitIsWithinTheHalfWidth) {
   for (const double period : {2.0, 15.0, 60.0})
     for (const double decay : {10.0, 60.0}) {
-      const auto tip = [&](double t) { return 17 + 3 * std::exp(-(t - 40) / decay) * std::cos(2 * M_PI * (t - 40) / period); };
+      const auto tip = [&](double t) {
+        return 17 + 3 * std::exp(-(t - 40) / decay) * std::cos(2 * M_PI * (t - 40) / period);
+      };
       const auto [ending, swing] = watched(tip, 2000);
       ASSERT_EQ(ending, Ending::rests) << period << ", " << decay;
       EXPECT_LE(swing.width(), 0.05 * 20);
@@ -184,7 +210,8 @@ TEST(RestWatch, ASwingThatDiesOutRestsAndItsLimitIsWithinTheHalfWidth) {
 
 TEST(RestWatch, ACreepIsNoRest) {
   EXPECT_EQ(watched([](double t) { return 20 - 0.05 * (t - 40); }, 300).first, std::nullopt);
-  EXPECT_EQ(watched([](double t) { return 19 + std::cos((t - 40) / 5); }, 1000).first, std::nullopt) << "a swing that stays";
+  EXPECT_EQ(watched([](double t) { return 19 + std::cos((t - 40) / 5); }, 1000).first, std::nullopt)
+      << "a swing that stays";
 }
 
 TEST(RestWatch, ATurningPointIsNoRest) {
@@ -196,7 +223,8 @@ TEST(RestWatch, OutsideItHasLeftOnceItHasGoneItsOwnHeightUntouched) {
   EXPECT_EQ(watched([](double t) { return 20 - 0.5 * (t - 40); }, 84.2).first, Ending::left_upwards);
   EXPECT_EQ(watched([](double t) { return 20 + 0.5 * (t - 40); }, 63.9).first, std::nullopt);
   EXPECT_EQ(watched([](double t) { return 20 + 0.5 * (t - 40); }, 64.2).first, Ending::passed_through);
-  EXPECT_EQ(watched([](double t) { return 20 + 0.5 * (t - 40) + 0.01 * std::sin(t); }, 100).first, std::nullopt) << "pushed to and fro";
+  EXPECT_EQ(watched([](double t) { return 20 + 0.5 * (t - 40) + 0.01 * std::sin(t); }, 100).first, std::nullopt)
+      << "pushed to and fro";
 }
 
 // --- speeds -------------------------------------------------------------------------------------------------------

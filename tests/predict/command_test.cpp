@@ -41,6 +41,29 @@ TEST_F(PredictCommand, AnswersInJsonAsOnItsPage) {
   EXPECT_EQ(run({"predict", "result.json", "--depth", "4 km"}).code, 3);
 }
 
+// The smooth law's depths taken for reaches: behind a layer of 30 mm some speed is left.
+TEST_F(PredictCommand, SaysWhatPassesAndWithWhichSpeed) {
+  json knows = result();
+  knows["shot_model"]["passage"] = true;
+  write("knows.json", knows.dump());
+  const auto ended =
+      run({"predict", "knows.json", "--speed", "80m/s", "--layer-depth", "30mm", "--json", "--out", "out"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const json shot = json::parse(ended.out)["shots"][0];
+  SphereShot thin = test::smooth_model().shots[1];
+  thin.layer_depth = 0.03;
+  const double reach = test::true_depth(thin);
+  ASSERT_GT(reach, 0.03);
+  EXPECT_NEAR(shot["speed_left"]["speed_left_m_s"].get<double>(), 80 * std::sqrt(1 - 0.03 / reach), 1);
+  EXPECT_GT(shot["passes_probability"], 0.9);
+  EXPECT_LT(shot["speed_left"]["speed_left_shot_interval_m_s"]["low"], shot["speed_left"]["speed_left_m_s"]);
+  EXPECT_TRUE(files().contains("out/passing_over_speed.csv"));
+  const auto v50 = run({"predict", "knows.json", "--v50", "--layer-depth", "30mm", "--json"});
+  const json solved = json::parse(v50.out)["solved"];
+  thin.speed = solved["value_m_s"];
+  EXPECT_NEAR(test::true_depth(thin), 0.03, 3e-4);
+}
+
 TEST_F(PredictCommand, WritesATableForATable) {
   write("shots.csv", "speed_m_s\n60\n80\n");
   const auto ended = run({"predict", "result.json", "--shots", "shots.csv", "--out", "out"});

@@ -66,6 +66,16 @@ TEST_F(Asked, ARangeIsACurveAndADepthASearch) {
   EXPECT_EQ(search.depth, 0.03);
 }
 
+TEST_F(Asked, PassingIsASearchForTheLayersOwnDepth) {
+  EXPECT_THAT(refusal({.v50 = true}), HasSubstr("has not learnt what passes"));
+  model_.passage = true;
+  const PredictRequest search = ask({.layer_depth = "50 mm", .v50 = true});
+  EXPECT_EQ(search.looked_for, ShotNumber::speed);
+  EXPECT_EQ(search.depth, 0.05);
+  EXPECT_THAT(refusal({.depth = "3 cm", .v50 = true}), HasSubstr("one of the two"));
+  EXPECT_THAT(refusal({.speed = "80 m/s", .v50 = true}), HasSubstr("--speed"));
+}
+
 TEST_F(Asked, AColumnStandsBeforeItsOption) {
   const PredictRequest request = ask({.speed = "80 m/s", .shots = file("t.csv", "label,diameter_mm\nfirst,3\n,4\n")});
   ASSERT_EQ(request.shots.size(), 2u);

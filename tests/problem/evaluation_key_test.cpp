@@ -48,6 +48,7 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
       {"whole", [](Problem& p) { p.geometry = Geometry::plane_strain, p.whole = true; }},
       {"rates", [](Problem& p) { p.rates = 1; }},
       {"until rest", [](Problem& p) { p.until = RunUntil::rest; }},
+      {"until passage", [](Problem& p) { p.until = RunUntil::passage; }},
       {"hourglass form", [](Problem& p) { p.hourglass_form = HourglassForm::viscosity; }},
       {"volumetric law 1", [](Problem& p) { p.volumetric_law = VolumetricLaw::quadratic; }},
       {"volumetric law 2", [](Problem& p) { p.volumetric_law = VolumetricLaw::logarithmic; }},
@@ -62,12 +63,23 @@ std::map<std::string, std::function<void(Problem&)>> changes() {
       {"energy", [](Problem& p) { p.erosion = EnergyErosion{0.7}; }},
       {"strain and stress", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion.stress = 0.7; }},
       {"strain and energy", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion.energy = 0.7; }},
-      {"all three", [](Problem& p) { p.erosion = StrainErosion{0.7}, p.further_erosion = {0.7, 0.7}; }},
+      {"all three",
+       [](Problem& p) {
+         p.erosion = StrainErosion{0.7}, p.further_erosion = {0.7, 0.7};
+       }},
       {"stretch", [](Problem& p) { p.stretch = 1.1; }},
       {"stretch of a layer", layer([](LowerLayer& below) { below.stretch = 1.1; })},
-      {"fibres", [](Problem& p) { p.fibres = PlanarFibres{1, 2, 0.4}; }},
-      {"fibres, dispersion", [](Problem& p) { p.fibres = PlanarFibres{1, 2, 0.45}; }},
-      {"fibres of a layer", layer([](LowerLayer& below) { below.fibres = PlanarFibres{1, 2, 0.4}; })},
+      {"fibres",
+       [](Problem& p) {
+         p.fibres = PlanarFibres{1, 2, 0.4};
+       }},
+      {"fibres, dispersion",
+       [](Problem& p) {
+         p.fibres = PlanarFibres{1, 2, 0.45};
+       }},
+      {"fibres of a layer", layer([](LowerLayer& below) {
+         below.fibres = PlanarFibres{1, 2, 0.4};
+       })},
       {"friction", [](Problem& p) { p.friction = CoulombFriction{0.1}; }},
       {"friction, coefficient", [](Problem& p) { p.friction = CoulombFriction{0.2}; }},
       {"average", [](Problem& p) { p.erosion_average = AverageWithin{0.3}; }},

@@ -30,7 +30,7 @@ class RandomProblems {
     p.volumetric_law = static_cast<VolumetricLaw>(choice(3));
     p.eroded_nodes = choice(2) ? ErodedNodes::in_contact : ErodedNodes::released;
     p.rates = 1 + choice(2);
-    if (choice(3) == 0) p.until = RunUntil::rest;
+    p.until = static_cast<RunUntil>(choice(3));
     p.arithmetic = choice(2) ? Arithmetic::double_precision : Arithmetic::single_precision;
     p.speed_factor = replicate_speed_factor(choice(9));
     return p;

@@ -164,10 +164,13 @@ void fresh_against_emulated(const CalibrationJob& job, const CalibrationResult& 
     const double off = spread(hypothesis.fresh);
     sentences.push_back(fmt::format(
         "\"{}\": {} fresh runs on {} {} lie {:.2g} of the emulator's stated errors from "
-        "it (1 is right{}) and {} from the measured depths{}.",
+        "it (1 is right{}){}{}.",
         job.hypotheses[hypothesis.index].name, count, job.training.verify, mesh_words(job), off,
         off > trusted_spread ? "; this is too much: its errors are larger than stated" : "",
-        page::percent(hypothesis.fresh_deviation), failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
+        std::ranges::any_of(hypothesis.fresh, [&](const auto& r) { return r.depth && job.shots[r.shot].is_number(); })
+            ? " and " + page::percent(hypothesis.fresh_deviation) + " from the measured depths"
+            : "",
+        failed > 0 ? fmt::format("; {} did not come to rest", failed) : ""));
   }
 }
 

@@ -62,7 +62,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
     fired.material = shot.material;
     if (shot.datum != ShotDatum::none && shot.datum != ShotDatum::at_most && shot.datum != ShotDatum::stopped)
       fired.depth = shot.datum == ShotDatum::speed_left ? shot.layer_depth : shot.depth;
-    fired.at_least = shot.datum != ShotDatum::depth && fired.depth;
+    fired.seen = word(shot.datum);
     fired.fitted = shot.used;
     kept.shots.push_back(fired);
   }

@@ -159,7 +159,7 @@ Json shot_to_json(const FiredShot& shot) {
           {"layer_depth_m", shot.layer_depth},
           {"layer_width_m", shot.layer_width},
           {"depth_m", page::finite(shot.depth)},
-          {"at_least", shot.at_least},
+          {"seen", shot.seen},
           {"fitted", shot.fitted}};
 }
 
@@ -174,7 +174,7 @@ FiredShot shot_of(const Json& json, std::size_t materials) {
   shot.layer_depth = wanted(json, "layer_depth_m");
   shot.layer_width = wanted(json, "layer_width_m");
   shot.depth = page::number(json, "depth_m");
-  shot.at_least = page::yes(json, "at_least");
+  shot.seen = page::text(json, "seen");
   shot.fitted = page::yes(json, "fitted");
   for (const double positive :
        {shot.radius, shot.density, shot.speed, shot.layer_depth, shot.layer_width, shot.depth.value_or(1)})

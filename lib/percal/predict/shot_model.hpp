@@ -31,8 +31,8 @@ struct ShotHypothesis {
 struct FiredShot : SphereShot {
   std::string label;
   int material = 0;                  // index
-  std::optional<double> depth = {};  // m; nothing where none was seen
-  bool at_least = false;             // it went this deep or deeper
+  std::string seen = "depth";        // what was seen of it, as the calibration's data have it
+  std::optional<double> depth = {};  // m; seen, or the least that was; nothing where none was
   bool fitted = true;
 };
 

@@ -131,12 +131,12 @@ Section asked_section(const Json& result) {
   for (const Json& curve : curves)
     if (yes(curve, "synthetic")) synthetic.push_back(text(curve, "name"));
   Section section{.id = "asked", .title = "What was asked", .blocks = {}, .detail = Detail::answer};
-  add_sentence(section,
-               fmt::format("{} from {} ({} fitted) and {}{}{}.", listed(names),
-                           counted(static_cast<long>(shots.size()), "depth"), used,
-                           counted(static_cast<long>(curves.size()), "curve"),
-                           synthetic.empty() ? "" : " (synthetic: " + listed(synthetic) + ")",
-                           hypotheses.size() > 1 ? fmt::format(", under {} hypotheses", hypotheses.size()) : ""));
+  add_sentence(
+      section,
+      fmt::format("{} from {} ({} fitted) and {}{}{}.", listed(names), counted(static_cast<long>(shots.size()), "shot"),
+                  used, counted(static_cast<long>(curves.size()), "curve"),
+                  synthetic.empty() ? "" : " (synthetic: " + listed(synthetic) + ")",
+                  hypotheses.size() > 1 ? fmt::format(", under {} hypotheses", hypotheses.size()) : ""));
   return section;
 }
 

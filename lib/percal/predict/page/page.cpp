@@ -46,10 +46,9 @@ std::string solved_words(const Json& result) {
     if (!yes(solved, "found"))
       return fmt::format("No {} passes {} of {} within a factor of {:g} of where the search began.", number_of, layer,
                          text(result, "material"), solved_within);
-    return fmt::format("At a {} of {} half of the shots pass {} of {} ({} {}); {} pass between {}.", number_of,
+    return fmt::format("At a {} of {} half of the shots pass {} of {} ({} {}); that of one shot: {}.", number_of,
                        value_words(solved, "value", 4), layer, text(result, "material"), level_words(result),
-                       interval_words(solved, "value_mean_interval"), level_words(result),
-                       interval_words(solved, "value_shot_interval"));
+                       interval_words(solved, "value_mean_interval"), interval_words(solved, "value_shot_interval"));
   }
   if (!yes(solved, "found"))
     return fmt::format("No {} gives {} within a factor of {:g} of where the search began.", number_of,
@@ -126,17 +125,20 @@ Table error_table(const Json& shots) {
 Table checked_table(const Json& shots) {
   Table table{
       .caption = "Checked by runs",
-      .rows = {{"shot", "runs", "depth of the runs", "predicted", "in stated errors"}},
+      .rows = {{"shot", "runs", "the runs", "predicted", "in stated errors"}},
       .notes = {
           "Runs at the best point, on the mesh that the prediction is of; errors: the emulator's and the runs' own."}};
   for (const Json& shot : shots) {
     const Json& checked = at(shot, "checked");
     if (checked.is_null()) continue;
     const auto depth = number(checked, "run_depth_m");
-    table.rows.push_back(
-        {text(shot, "label"), shown(number(checked, "runs")),
-         depth ? with_error(length(depth), value_words(checked, "run_standard_error_m", 2)) : text(checked, "outcome"),
-         value_words(shot, "depth_m"), shown(number(checked, "standardised_difference"), 2)});
+    const bool passes =
+        !at(shot, "speed_left").is_null() && depth && *depth > number_or(shot, "layer_depth_m", HUGE_VAL);
+    const std::string found = passes  ? value_words(checked, "run_speed_left_m_s") + " left"
+                              : depth ? with_error(length(depth), value_words(checked, "run_standard_error_m", 2))
+                                      : text(checked, "outcome");
+    table.rows.push_back({text(shot, "label"), shown(number(checked, "runs")), found, depth_words(shot),
+                          shown(number(checked, "standardised_difference"), 2)});
   }
   if (table.rows.size() == 1) table.rows.clear();
   return table;
@@ -156,25 +158,30 @@ Table elsewhere_table(const Json& result) {
 
 Figure curve_figure(const Json& result) {
   const Json& curve = list(result, "curve");
+  const bool knows_passage = !at(curve.front(), "speed_left").is_null();
+  const double layer = knows_passage ? number_or(at(result, "like"), "layer_depth_m", HUGE_VAL) : HUGE_VAL;
   double deepest = 0;
   for (const Json& point : curve) deepest = std::max(deepest, number_or(point, "depth_m", 0));
-  const ShownUnit unit = length_unit(deepest);
+  const ShownUnit unit = length_unit(std::min(deepest, layer));
+  const auto depth_of = [&](const Json& of, const char* key) {
+    return std::min(layer, number_or(of, key, nowhere)) / unit.size;
+  };
   Series shot = series(level_words(result) + " of single shots", Mark::band, 1),
          mean = series(level_words(result) + " of the mean", Mark::band, 0), line = series("predicted", Mark::line, 0),
          fitted = series("fired", Mark::points, 2), least = series("fired, or deeper", Mark::points, -1),
          asked = series("", Mark::points_with_bars, 3);
   const auto bar = [&](Series& series, const Json& point, const char* interval) {
     const Json& ends = at(point, interval);
-    add_bar(series, number_or(point, "speed_m_s", nowhere), number_or(point, "depth_m", nowhere) / unit.size,
-            number_or(ends, "low", nowhere) / unit.size, number_or(ends, "high", nowhere) / unit.size);
+    add_bar(series, number_or(point, "speed_m_s", nowhere), depth_of(point, "depth_m"), depth_of(ends, "low"),
+            depth_of(ends, "high"));
   };
   for (const Json& point : curve) {
     bar(shot, point, "shot_interval_m");
     bar(mean, point, "mean_interval_m");
-    add_point(line, number_or(point, "speed_m_s", nowhere), number_or(point, "depth_m", nowhere) / unit.size);
+    add_point(line, number_or(point, "speed_m_s", nowhere), depth_of(point, "depth_m"));
   }
   for (const Json& point : list(result, "fired"))
-    add_point(yes(point, "at_least") ? least : fitted, number_or(point, "speed_m_s", nowhere),
+    add_point(text(point, "seen") == "depth" ? fitted : least, number_or(point, "speed_m_s", nowhere),
               number_or(point, "measured_depth_m", nowhere) / unit.size);
   for (const Json& point : list(result, "shots")) {
     asked.name = "this shot";
@@ -195,6 +202,54 @@ Figure curve_figure(const Json& result) {
           .chart = chart};
 }
 
+// The chance of passing, with what became of the shots that were fired.
+Figure passing_figure(const Json& result) {
+  Series chance = series("predicted", Mark::line, 0), passed = series("passed", Mark::points, 2),
+         stopped = series("stopped", Mark::points, 1);
+  for (const Json& point : list(result, "curve"))
+    add_point(chance, number_or(point, "speed_m_s", nowhere), 100 * number_or(point, "passes_probability", nowhere));
+  for (const Json& point : list(result, "fired")) {
+    const std::string seen = text(point, "seen");
+    const double speed = number_or(point, "speed_m_s", nowhere);
+    if (seen == "passed" || seen == "speed left") add_point(passed, speed, 100);
+    if (seen == "stopped" || seen == "depth") add_point(stopped, speed, 0);
+  }
+  const std::size_t fired = passed.x.size() + stopped.x.size();
+  Chart chart{.title = "Passing the layer", .x = {.label = "speed, m/s"}, .y = {.label = "of the shots pass, %"}};
+  for (Series* one : {&chance, &passed, &stopped}) add(chart, std::move(*one));
+  const std::string layer = value_words(at(result, "like"), "layer_depth_m") + " of " + text(result, "material");
+  return {.name = "passing_over_speed",
+          .caption = fmt::format(
+              "How many shots pass {}, over their speed: the chance of one. Points: {} that passed (above) or "
+              "stopped (below).",
+              layer, counted(static_cast<long>(fired), "shot")),
+          .alt = fmt::format("The chance of passing {} rises with the speed.", layer),
+          .chart = chart};
+}
+
+Figure speed_left_figure(const Json& result) {
+  Series shot = series(level_words(result) + " of single shots", Mark::band, 1),
+         mean = series(level_words(result) + " of the mean", Mark::band, 0), line = series("predicted", Mark::line, 0);
+  for (const Json& point : list(result, "curve")) {
+    const Json& left = at(point, "speed_left");
+    const double speed = number_or(point, "speed_m_s", nowhere), value = number_or(left, "speed_left_m_s", nowhere);
+    add_point(line, speed, value);
+    for (auto [series, key] :
+         {std::pair{&shot, "speed_left_shot_interval_m_s"}, {&mean, "speed_left_mean_interval_m_s"}})
+      add_bar(*series, speed, value, number_or(at(left, key), "low", nowhere),
+              number_or(at(left, key), "high", nowhere));
+  }
+  Chart chart{.title = "Speed left behind the layer",
+              .x = {.label = "speed, m/s"},
+              .y = {.label = "speed left, m/s", .low = 0}};
+  for (Series* one : {&shot, &mean, &line}) add(chart, std::move(*one));
+  const std::string layer = value_words(at(result, "like"), "layer_depth_m") + " of " + text(result, "material");
+  return {.name = "speed_left_over_speed",
+          .caption = "The speed left behind " + layer + ", over the speed at impact; 0: held.",
+          .alt = "The speed left behind " + layer + " rises with that at impact, with its bands.",
+          .chart = chart};
+}
+
 Section answer_section(const Json& result) {
   Section section{.id = "answer", .title = "Predicted", .blocks = {}, .detail = Detail::answer};
   add(section, List{texts(at(result, "findings")), Tone::warning});
@@ -206,8 +261,13 @@ Section answer_section(const Json& result) {
 }
 
 Section curve_section(const Json& result) {
-  Section section{.id = "curve", .title = "Depth over speed", .blocks = {}};
-  if (!list(result, "curve").empty()) add(section, curve_figure(result));
+  Section section{.id = "curve", .title = "Over speed", .blocks = {}};
+  const Json& curve = list(result, "curve");
+  if (curve.empty()) return section;
+  add(section, curve_figure(result));
+  if (at(curve.front(), "speed_left").is_null()) return section;
+  add(section, passing_figure(result));
+  add(section, speed_left_figure(result));
   return section;
 }
 

@@ -45,8 +45,12 @@ Json depth_to_json(const DepthPrediction& depth) {
           {"outside", depth.outside}};
 }
 
-Json checked_to_json(const CheckedByRuns& checked) {
+Json checked_to_json(const CheckedByRuns& checked, const SphereShot& shot, bool passage) {
+  const auto left = passage && checked.depth.mean
+                        ? std::optional(shot.speed * share_left(shot.layer_depth, *checked.depth.mean))
+                        : std::nullopt;
   return {{"runs", checked.runs},
+          {"run_speed_left_m_s", finite(left)},
           {"outcome", word(checked.outcome)},
           {"run_depth_m", finite(checked.depth.mean)},
           {"run_standard_error_m", finite(checked.depth.standard_error)},
@@ -59,7 +63,7 @@ Json predicted_to_json(const ShotPrediction& one, bool passage) {
   json["speed_left"] = passage ? speed_left_to_json(one.depth, one.shot) : Json();
   json["label"] = one.shot.label;
   json["elsewhere_m"] = one.elsewhere;
-  json["checked"] = one.checked ? checked_to_json(*one.checked) : Json();
+  json["checked"] = one.checked ? checked_to_json(*one.checked, one.shot, passage) : Json();
   return json;
 }
 
@@ -104,7 +108,7 @@ Json prediction_to_json(const Prediction& prediction, const std::string& result)
     fired.push_back({{"label", shot.label},
                      {"speed_m_s", shot.speed},
                      {"measured_depth_m", page::finite(shot.depth)},
-                     {"at_least", shot.at_least},
+                     {"seen", shot.seen},
                      {"fitted", shot.fitted}});
   Json json = page::result_head("predict", words_to_json(request.words, result));
   json.update({{"title", "Shots into " + prediction.material},
