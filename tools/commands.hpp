@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "percal/base/error.hpp"
+#include "percal/one_depth/request.hpp"
 #include "percal/predict/request.hpp"
 
 namespace percal::tools {
@@ -71,6 +72,10 @@ struct PredictArguments {
   std::string result;
   PredictWords words;
   bool verify = false;  // run the solver at every shot
+};
+
+struct InvertArguments {
+  InvertWords words;
 };
 
 // One of the three kinds of study; `scene` is empty where it brings its own.
@@ -144,6 +149,7 @@ Exit run_impact(const ImpactArguments&, const Common&);
 Exit run_identify(const IdentifyArguments&, const Common&);
 Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_predict(const PredictArguments&, const Common&);
+Exit run_invert(const InvertArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
 Exit run_card_read(const CardArguments&, const Common&);

@@ -39,6 +39,13 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts,
   command.add_flag("--quiet", common.quiet, "print nothing but errors");
 }
 
+void add_sphere(CLI::App& command, SphereWords& words) {
+  auto* radius = command.add_option("--radius", words.radius, "of the sphere, as \"1.59 mm\"");
+  command.add_option("--diameter", words.diameter, "in its place, as 4.5mm")->excludes(radius);
+  auto* density = command.add_option("--particle-density", words.density, "of the sphere, as \"7800 kg/m3\"");
+  command.add_option("--particle-mass", words.mass, "in its place, as 0.36g")->excludes(density);
+}
+
 void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vector<Command>& commands) {
   auto* command =
       app.add_subcommand("impact", "a sphere into a layer -> depth with its scatter, energy ledger, what was left out");
@@ -108,10 +115,7 @@ void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::
   command->add_option("--material", words.material, "of the calibration (default: the one that was shot into)");
   command->add_option("--hypothesis", words.hypothesis, "name or number (default: the first)");
   command->add_option("--speed", words.speed, "as \"83 m/s\", or a range as 50..250m/s");
-  auto* radius = command->add_option("--radius", words.radius, "of the sphere, as \"1.59 mm\"");
-  command->add_option("--diameter", words.diameter, "in its place, as 4.5mm")->excludes(radius);
-  auto* density = command->add_option("--particle-density", words.density, "of the sphere, as \"7800 kg/m3\"");
-  command->add_option("--particle-mass", words.mass, "in its place, as 0.36g")->excludes(density);
+  add_sphere(*command, words.sphere);
   command->add_option("--layer-depth", words.layer_depth, "the target's depth, as 200mm");
   command->add_option("--speed-error", words.speed_error, "standard deviation of the speeds, as 1%");
   command->add_option("--shots", words.shots,
@@ -132,6 +136,36 @@ void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::
       "          percal predict joint.out --depth \"30 mm\"");
   add_common(*command, common, true, "folder for results (default: no files)");
   commands.push_back({command, [&] { return run_predict(predict, common); }, true});
+}
+
+void add_invert(CLI::App& app, InvertArguments& invert, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand(
+      "invert",
+      "one depth -> the modulus that gives it, or the erosion strain, with its interval, and the ridge of pairs");
+  InvertWords& words = invert.words;
+  command->add_option("--depth", words.depth, "measured, as 85mm");
+  command->add_option("--depth-error", words.depth_error, "its standard deviation, as 5mm or 5%");
+  add_sphere(*command, words.sphere);
+  command->add_option("--speed", words.speed, "as \"180 m/s\"");
+  command->add_option("--speed-error", words.speed_error, "its standard deviation, as 2%");
+  command->add_option("--density", words.density, "of the layer, as \"1030 kg/m3\"");
+  command->add_option("--alpha", words.alpha, "the layer's Ogden exponent");
+  command->add_option("--erosion-strain", words.erosion_strain, "engineering; the modulus is then looked for");
+  command->add_option("--mu", words.mu, "true modulus, as 346kPa; the erosion strain is then looked for");
+  command->add_option("--erosion-length", words.erosion_length, "over which erosion is judged (default: each element)");
+  command->add_option("--layer-depth", words.layer_depth, "the layer's depth, as 150mm");
+  command->add_option("--layer-width", words.layer_width, "from its middle to the wall (default: as in a scene)");
+  command->add_option("--elements-per-radius", words.elements_per_radius,
+                      "mesh, a real number (default: 10, with an erosion length three elements in it or more)");
+  command->add_option("--level", words.level, "confidence level of the intervals (default: 0.95)")
+      ->check(between(0.5, 0.9999));
+  command->footer(
+      "One of --mu and --erosion-strain; without the lengths, widths and errors that have a default everything is "
+      "needed.\n"
+      "Example: percal invert --depth 85mm --depth-error 5mm --diameter 4.5mm --particle-density \"7800 kg/m3\" "
+      "--speed 179.8m/s --density \"1030 kg/m3\" --alpha 8.65 --erosion-strain 1 --layer-depth 150mm");
+  add_common(*command, common, true, "folder for results (default: no files)");
+  commands.push_back({command, [&] { return run_invert(invert, common); }, true});
 }
 
 void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector<Command>& commands) {
@@ -413,6 +447,7 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_identify(app, a.identify, a.common, commands);
   add_calibrate(app, a.calibrate, a.common, commands);
   add_predict(app, a.predict, a.common, commands);
+  add_invert(app, a.invert, a.common, commands);
   add_card(app, a.card, a.common, commands);
   add_store(app, a.store, a.common, commands);
   add_report(app, a.report, a.common, commands);

@@ -16,6 +16,7 @@ struct Arguments {
   ScaleArguments scale;
   ImpactArguments impact;
   PredictArguments predict;
+  InvertArguments invert;
   StudyArguments study;
   IdentifyArguments identify;
   CalibrateArguments calibrate;

@@ -10,6 +10,7 @@
 #include "percal/fit/page/page.hpp"
 #include "percal/identify/page/page.hpp"
 #include "percal/observe/page/page.hpp"
+#include "percal/one_depth/page/page.hpp"
 #include "percal/page/result.hpp"
 #include "percal/predict/page/page.hpp"
 #include "percal/scaling/page/page.hpp"
@@ -25,13 +26,14 @@ struct PageOfCommand {
   const char* command;
   page::Page (*page)(const Json&);
 };
-constexpr std::array<PageOfCommand, 7> pages{{{"fit", fit_page},
+constexpr std::array<PageOfCommand, 8> pages{{{"fit", fit_page},
                                               {"scale", scale_page},
                                               {"impact", impact_page},
                                               {"study", study_page},
                                               {"identify", identify_page},
                                               {"calibrate", calibrate_page},
-                                              {"predict", predict_page}}};
+                                              {"predict", predict_page},
+                                              {"invert", invert_page}}};
 
 std::string shown(const Json& value) {
   if (value.is_null()) return "nothing";

@@ -10,25 +10,11 @@
 #include "percal/text/file.hpp"
 
 namespace percal::tools {
-namespace {
-
-ShotModel read_shot_model(const std::string& path) {
-  const NamedResult result = read_json_result(path);
-  const std::string accepted = "a value as percal calibrate wrote it";
-  try {
-    return shot_model_of(result.json, result.file);
-  } catch (const page::MissingKey& missing) {
-    throw BadInput({result.file, 0, missing.key}, "no value that can be used", accepted);
-  } catch (const page::Json::exception& error) {
-    throw BadInput({result.file, 0, "shot_model"}, error.what(), accepted);
-  }
-}
-
-}  // namespace
 
 Exit run_predict(const PredictArguments& arguments, const Common& common) {
   const auto start = std::chrono::steady_clock::now();
-  const ShotModel model = read_shot_model(arguments.result);
+  const NamedResult result = read_json_result(arguments.result);
+  const ShotModel model = kept_shot_model(result.json, result.file);
   const PredictRequest request = understood(arguments.words, model);
   if (common.check)
     return say_valid(arguments.result + ": a calibration that can predict this",

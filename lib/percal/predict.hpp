@@ -14,4 +14,5 @@
 #include "percal/predict/predictor.hpp"
 #include "percal/predict/request.hpp"
 #include "percal/predict/shot_model.hpp"
+#include "percal/predict/shot_words.hpp"
 #include "percal/predict/sphere_shot.hpp"

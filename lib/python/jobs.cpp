@@ -21,8 +21,6 @@ namespace py = pybind11;
 using nlohmann::json;
 using Announce = std::function<void(const std::string&)>;
 
-std::string text_of(const json& result) { return result.dump(-1, ' ', false, json::error_handler_t::replace); }
-
 std::string scaled(const ScaleJob& job) {
   return text_of(scale_to_json(job, complete(job.prototype.system, job.model.system), ""));
 }
@@ -74,6 +72,8 @@ std::string identified(const std::string& path, const std::string& store_path, i
 }
 
 }  // namespace
+
+std::string text_of(const json& result) { return result.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 void bind_jobs(py::module_& core) {
   core.def("scale_file", [](const std::string& path) { return scaled(read_scale_job(path)); });

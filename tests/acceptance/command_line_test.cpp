@@ -20,7 +20,7 @@ class CommandLine : public Program {};
 TEST_F(CommandLine, TheHelpOfEveryCommandHasAnExample) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const std::string command : {"fit", "scale", "impact", "identify", "calibrate", "card"}) {
+  for (const std::string command : {"fit", "scale", "impact", "identify", "calibrate", "predict", "invert", "card"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Ended ended = command == "card" ? run({command, "write", "--help"}) : run({command, "--help"});
     EXPECT_EQ(ended.code, 0);
@@ -42,7 +42,7 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
       {{"identfy", job},
        "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, identify, calibrate, "
        "predict, "
-       "card"},
+       "invert, card"},
       {{"identify"}, "job"},
       {{"identify", job, job}, "skin.toml"},
       {{"impact", scene, "--threads", "-1"}, "--threads"},

@@ -66,4 +66,6 @@ FAULTS = [
           "while (right > 0 && is_alive(right - 1)) --right;", "while (right > 0 && !is_alive(columns - right)) --right; right = columns - right;", ("impact",)),
     Fault("the implied rate factor works the wrong way", "lib/percal/calibrate/verdict.cpp",
           "rate.implied = {rate.given * std::exp(joined.at[factor])", "rate.implied = {rate.given * std::exp(-joined.at[factor])", ("calibrate",)),
+    Fault("a search sees one phase of the mesh", "lib/percal/one_depth/one_depth.cpp",
+          "phases[answer++ % usual_replicates]", "phases[0 * answer++]", ("one_depth",)),
 ]

@@ -46,8 +46,10 @@ TEST_F(Asked, WhatTheShotsHaveInCommonNeedNotBeSaid) {
 }
 
 TEST_F(Asked, ARadiusInCommonIsNoneOfAShotOfAnotherSize) {
-  const PredictRequest request =
-      ask({.speed = "83 m/s", .diameter = "4.5 mm", .mass = "0.35 g", .layer_depth = "20 cm", .speed_error = "2 %"});
+  const PredictRequest request = ask({.speed = "83 m/s",
+                                      .sphere = {.diameter = "4.5 mm", .mass = "0.35 g"},
+                                      .layer_depth = "20 cm",
+                                      .speed_error = "2 %"});
   EXPECT_EQ(request.shots[0].radius, 2.25e-3);
   EXPECT_NEAR(request.shots[0].density, 0.35e-3 / (4.0 / 3 * std::numbers::pi * std::pow(2.25e-3, 3)), 1e-6);
   EXPECT_NEAR(request.shots[0].layer_width / request.shots[0].radius, 8e-3 / 1.59e-3, 1e-9);
@@ -89,7 +91,8 @@ TEST_F(Asked, EveryFaultIsRefusedByName) {
   EXPECT_THAT(refusal({.hypothesis = "2", .speed = "80 m/s"}), HasSubstr("--hypothesis"));
   EXPECT_THAT(refusal({.speed = "80"}), AllOf(HasSubstr("--speed"), HasSubstr("unit")));
   EXPECT_THAT(refusal({.speed = "90..80 m/s"}), HasSubstr("low before high"));
-  EXPECT_THAT(refusal({.speed = "80 m/s", .radius = "1 mm", .diameter = "2 mm"}), HasSubstr("one of the two"));
+  EXPECT_THAT(refusal({.speed = "80 m/s", .sphere = {.radius = "1 mm", .diameter = "2 mm"}}),
+              HasSubstr("one of the two"));
   EXPECT_THAT(refusal({.speed = "80 m/s", .depth = "3 cm"}), HasSubstr("which looks for the speed"));
   EXPECT_THAT(refusal({.speed = "50..80 m/s", .depth = "3 cm", .solve_for = "diameter"}),
               HasSubstr("a range beside --depth"));
@@ -102,10 +105,12 @@ TEST_F(Asked, OfSeveralMaterialsOneIsNamed) {
   model_.hypotheses[0].materials.push_back(model_.hypotheses[0].materials[0]);
   model_.hypotheses[0].materials[1].name = "skin";
   EXPECT_EQ(ask({.speed = "80 m/s"}).material, 0);  // the one that was shot into
-  EXPECT_EQ(
-      ask({.material = "skin", .speed = "80 m/s", .diameter = "3 mm", .density = "7800 kg/m3", .layer_depth = "1 cm"})
-          .material,
-      1);
+  EXPECT_EQ(ask({.material = "skin",
+                 .speed = "80 m/s",
+                 .sphere = {.diameter = "3 mm", .density = "7800 kg/m3"},
+                 .layer_depth = "1 cm"})
+                .material,
+            1);
   model_.shots[0].material = 1;
   EXPECT_THAT(refusal({.speed = "80 m/s"}), AllOf(HasSubstr("--material"), HasSubstr("skin")));
 }

@@ -1,5 +1,6 @@
 """Calibrations; seconds of processor time: label slow."""
 
+import json
 import os
 import tempfile
 import unittest
@@ -46,6 +47,32 @@ class ACalibration(unittest.TestCase):
         self.assertTrue(self.found.cost["isa"])
         self.assertTrue(any("is fitted" in sentence for sentence in self.sentences))
 
+    def test_predicts_a_shot_that_was_not_fired(self):
+        fired = self.found["shot_model"]["shots"][0]
+        speed = fired["speed_m_s"] * 1.02
+        said = {"speed": speed, "radius": fired["radius_m"], "particle_density": fired["density_kg_m3"]}
+        said["layer_depth"] = f"{fired['layer_depth_m']} m"
+        shot = self.found.predict(**said)
+        self.assertTrue(0.5 < shot.depth / fired["depth_m"] < 2)
+        self.assertTrue(shot.shots["low_m"][0] < shot.shots["mean_low_m"][0] < shot.depth < shot.shots["high_m"][0])
+        self.assertTrue(shot.curve["depth_m"].size > 10)
+        with open(os.path.join(self.folder.name, "result.json"), "w", encoding="utf-8") as file:
+            json.dump(self.found.result, file)
+        for kept in (self.folder.name, os.path.join(self.folder.name, "result.json"), dict(self.found)):
+            self.assertEqual(percal.predict(kept, **said)["shots"], shot["shots"])
+        wanted = self.found.predict(**(said | {"speed": None}), depth=shot.depth)
+        self.assertAlmostEqual(wanted.value / speed, 1, delta=1e-3)
+
+    def test_of_a_prediction_names_what_it_cannot_use(self):
+        with self.assertRaisesRegex(ValueError, "--diameter: found"):
+            self.found.predict(diameter="3")
+        with self.assertRaisesRegex(TypeError, "velocity"):
+            self.found.predict(velocity=83)
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere"):
+            percal.predict("nowhere", speed=83)
+        with self.assertRaisesRegex(ValueError, "this result: schema"):
+            percal.predict({}, speed=83)
+
     def test_goes_on_from_its_store(self):
         again = percal.calibrate(JOB, budget="5 min", store=self.store, threads=1)
         self.assertEqual(again.cost["runs"], 0)
@@ -61,7 +88,7 @@ class ACalibration(unittest.TestCase):
     def test_a_missing_file_is_an_os_error_and_a_bad_word_a_value_error(self):
         with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
             percal.calibrate("nowhere.toml", store=self.store)
-        with self.assertRaisesRegex(ValueError, "budget: found '5 m'"):
+        with self.assertRaisesRegex(ValueError, 'budget: found "5 m"'):
             percal.calibrate(JOB, budget="5 m", store=self.store)
         with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
             percal.identify("nowhere.toml", store=self.store)

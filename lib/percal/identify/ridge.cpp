@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/math/statistics.hpp"
+#include "percal/campaign/depth_search.hpp"
 #include "percal/problem/replicates.hpp"
 
 namespace percal {
@@ -17,12 +17,7 @@ DepthOfModulus forward_model(Campaign& campaign, const IdentifyJob& job, double 
     std::vector<Evaluation> runs;  // the searches run side by side: the replicates of one do not
     for (const Problem& one : replicates_of(reduction.problem, job.ridge.replicates))
       runs.push_back(campaign.evaluate(one));
-    const Penetration found = summarise(runs, reduction.problem, reduction.scales);
-    const Outcome outcome = found.outcome;
-    return DepthAnswer{.depth = mean(found.depths),
-                       .censored = outcome == Outcome::passed_through,
-                       .valid = outcome == Outcome::stopped || outcome == Outcome::passed_through,
-                       .why = word(outcome)};
+    return answer_of(summarise(runs, reduction.problem, reduction.scales));
   };
 }
 
@@ -60,19 +55,19 @@ std::vector<RidgePoint> find_ridge(Campaign& campaign, const IdentifyJob& job, d
     ridge.push_back(point);
   }
   // The searches start where the job says, not at the target's moduli: those are what they are compared with.
-  Progress progress("ridge", static_cast<long>(ridge.size()));
-  campaign.side_by_side(static_cast<int>(ridge.size()), [&](int k) {
-    RidgePoint& point = ridge[k];
-    point.inversion = invert_modulus(forward_model(campaign, job, alpha, point.erosion_strain),
-                                     {.target = job.penetration, .start = std::log(job.ridge.start)});
-    if (point.inversion.outcome == InversionOutcome::found) {
-      point.mu = std::exp(point.inversion.log_modulus);
-      point.solver_error = point.inversion.log_modulus_error;
-      if (job.penetration_error)
-        point.data_error = *job.penetration_error / job.penetration / std::abs(point.inversion.slope);
-    }
-    progress.add();
+  const auto found = search_side_by_side(campaign, static_cast<int>(ridge.size()), "ridge", [&](int k) {
+    return invert_modulus(forward_model(campaign, job, alpha, ridge[k].erosion_strain),
+                          {.target = job.penetration, .start = std::log(job.ridge.start)});
   });
+  for (std::size_t k = 0; k < ridge.size(); ++k) {
+    RidgePoint& point = ridge[k];
+    point.inversion = found[k];
+    if (point.inversion.outcome != InversionOutcome::found) continue;
+    point.mu = std::exp(point.inversion.log_modulus);
+    point.solver_error = point.inversion.log_modulus_error;
+    if (job.penetration_error)
+      point.data_error = *job.penetration_error / job.penetration / std::abs(point.inversion.slope);
+  }
   shoot_at_known_pairs(campaign, job, alpha, ridge);
   return ridge;
 }

@@ -1,16 +1,22 @@
 #include "percal/invert/modulus.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "percal/math/root.hpp"
 
 namespace percal {
 namespace {
 
-constexpr double window = 0.5;          // answers within this of the root (in ln modulus) belong to the local line
-constexpr int fewest_in_line = 5;       // answers that the line must have, bracketing the root
-constexpr double expected_slope = 0.4;  // |d ln depth/d ln modulus|, before there are answers to tell
+// Of ln modulus, where the expected slope is the usual one.
+constexpr double usual_slope = 0.4;
+constexpr double usual_first_step = 0.3;  // when looking for the other side of the target
+constexpr double usual_window = 0.5;      // answers within this of the root belong to the local line
+// Where further answers for the line are asked for, about the best one.
+constexpr std::array<double, 10> sides{-0.12, 0.12, -0.24, 0.24, -0.06, 0.06, -0.18, 0.18, -0.3, 0.3};
+constexpr double least_slope = 0.05;
 
 struct EndOfSearch {
   InversionOutcome outcome;
@@ -18,7 +24,8 @@ struct EndOfSearch {
 
 class Search {
  public:
-  Search(const DepthOfModulus& forward, const InversionOptions& options) : forward_(forward), options_(options) {}
+  Search(const DepthOfModulus& forward, const InversionOptions& options)
+      : forward_(forward), options_(options), scale_(usual_slope / options.expected_slope) {}
 
   Inversion run() {
     try {
@@ -52,7 +59,7 @@ class Search {
     double soft, stiff;
   };
   Bracket bracket() {
-    double at = options_.start, value = misfit(at), step = options_.first_step;
+    double at = options_.start, value = misfit(at), step = usual_first_step * scale_;
     for (;;) {
       const double next = at + (value > 0 ? step : -step);
       if (std::abs(next - options_.start) > options_.most_step) throw EndOfSearch{InversionOutcome::out_of_reach};
@@ -65,7 +72,7 @@ class Search {
   }
 
   void close_in(double soft, double stiff) {
-    const double narrow = options_.noise / expected_slope;
+    const double narrow = options_.noise / options_.expected_slope;
     root([this](double log_modulus) { return misfit(log_modulus); }, soft, stiff,
          [&](double estimate, double width) { return std::abs(misfit(estimate)) < options_.noise || width < narrow; });
   }
@@ -74,14 +81,14 @@ class Search {
     double slope, at_root, scatter, error;
     int points;
   };
+  bool counts(const InversionPoint& p, double centre) const {
+    return !p.answer.censored && std::abs(p.log_modulus - centre) <= usual_window * scale_;
+  }
   // Least squares of ln depth on ln modulus over the uncensored answers near `centre`.
   Line line_near(double centre) const {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    const auto counts = [&](const InversionPoint& p) {
-      return !p.answer.censored && std::abs(p.log_modulus - centre) <= window;
-    };
     for (const auto& p : result_.points)
-      if (counts(p)) {
+      if (counts(p, centre)) {
         const double dx = p.log_modulus - centre, dy = std::log(p.answer.depth / options_.target);
         n += 1;
         x += dx;
@@ -90,15 +97,15 @@ class Search {
         xy += dx * dy;
       }
     const double spread = xx - x * x / n;
-    Line line{-expected_slope, centre, options_.noise, 0, static_cast<int>(n)};
+    Line line{-options_.expected_slope, centre, options_.noise, 0, static_cast<int>(n)};
     if (n >= 2 && spread > 1e-6) line.slope = (xy - x * y / n) / spread;
-    if (!(line.slope < -0.05))
-      line.slope = -expected_slope;  // noise over too short a span: the depth does fall with stiffness
+    if (!(line.slope < -least_slope / scale_))
+      line.slope = -options_.expected_slope;  // noise over too short a span: the depth does fall with stiffness
     const double level = y / n - line.slope * x / n;
     line.at_root = centre - level / line.slope;
     double squares = 0;
     for (const auto& p : result_.points)
-      if (counts(p)) {
+      if (counts(p, centre)) {
         const double residual =
             std::log(p.answer.depth / options_.target) - level - line.slope * (p.log_modulus - centre);
         squares += residual * residual;
@@ -112,19 +119,22 @@ class Search {
   void fit_line() {
     double centre = best_answer();
     // A few more answers on both sides, where Brent's method came down on one point.
-    for (const double side : {-0.12, 0.12, -0.24, 0.24})
-      if (line_near(centre).points < fewest_in_line &&
+    const auto most_sides = std::clamp<std::size_t>(options_.fewest_in_line - 1, 0, sides.size());
+    for (const double side : std::span(sides).first(most_sides))
+      if (line_near(centre).points < options_.fewest_in_line &&
           static_cast<int>(result_.points.size()) < options_.most_evaluations)
-        misfit(centre + side);
+        misfit(centre + side * scale_);
     Line line{};
     for (int k = 0; k < 5; ++k) {
       line = line_near(centre);
-      centre = std::clamp(line.at_root, centre - window / 2, centre + window / 2);
+      for (auto& p : result_.points) p.in_line = counts(p, centre);
+      centre = std::clamp(line.at_root, centre - usual_window * scale_ / 2, centre + usual_window * scale_ / 2);
     }
     result_.log_modulus = line.at_root;
     result_.log_modulus_error = line.error;
     result_.slope = line.slope;
     result_.scatter = line.scatter;
+    result_.points_in_line = line.points;
   }
 
   double best_answer() const {
@@ -138,6 +148,7 @@ class Search {
 
   const DepthOfModulus& forward_;
   const InversionOptions& options_;
+  const double scale_;  // of steps
   Inversion result_;
 };
 

@@ -1,4 +1,5 @@
-// The modulus at which the depth is the measured one: one dimension, noisy, monotonic on the whole.
+// The modulus, or another number that the depth falls with, at which the depth is the measured one: one dimension, noisy, monotonic on
+// the whole.
 #pragma once
 #include <functional>
 #include <string>
@@ -17,17 +18,20 @@ struct DepthAnswer {
 using DepthOfModulus = std::function<DepthAnswer(double log_modulus)>;
 
 struct InversionOptions {
-  double target = 0;        // depth, in the forward model's units
-  double start = 0;         // ln of a first guess of the modulus
-  double noise = 0.015;     // relative standard deviation of one answer, where the answers don't show a larger one
-  double first_step = 0.3;  // of ln modulus, when looking for the other side of the target
-  double most_step = 6;     // how far from the start to look
+  double target = 0;     // depth, in the forward model's units
+  double start = 0;      // ln of a first guess of the modulus
+  double noise = 0.015;  // relative standard deviation of one answer, where the answers don't show a larger one
+  // |d ln depth/d ln modulus|, before there are answers to tell: where it is larger, steps and the line's window are smaller.
+  double expected_slope = 0.4;
+  double most_step = 6;    // how far from the start to look
+  int fewest_in_line = 5;  // answers near the root that the line shall have
   int most_evaluations = 24;
 };
 
 struct InversionPoint {
   double log_modulus;
   DepthAnswer answer;
+  bool in_line = false;  // near enough to the root
 };
 
 // found: the target lies between two answers. out_of_reach: no answer on one side of it within most_step. failed: an answer
@@ -42,6 +46,7 @@ struct Inversion {
   double log_modulus_error = 0;        // standard error: the scatter of the answers about that line, over its slope
   double slope = 0;                    // d ln depth / d ln modulus there
   double scatter = 0;                  // relative scatter of one answer about the line
+  int points_in_line = 0;              // answers near the root that the line is fitted to: two parameters
   std::vector<InversionPoint> points;  // in the order of evaluation
 };
 

@@ -7,16 +7,10 @@
 #include <functional>
 
 #include "percal/base/error.hpp"
-#include "percal/scene/sphere_toml.hpp"
-#include "percal/text/csv.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
-
-[[noreturn]] void refuse(const std::string& option, const std::string& found, const std::string& accepted) {
-  throw BadInput(Place{.file = "", .line = 0, .key = option}, found, accepted);
-}
 
 template <class Named>
 std::string names_of(const std::vector<Named>& all) {
@@ -36,90 +30,48 @@ int hypothesis_of(const PredictWords& words, const ShotModel& model) {
   if (const auto named = index_named(model.hypotheses, words.hypothesis)) return *named;
   for (std::size_t k = 0; k < model.hypotheses.size(); ++k)
     if (words.hypothesis == std::to_string(k + 1)) return static_cast<int>(k);
-  refuse("--hypothesis", in_quotes(words.hypothesis),
-         fmt::format("a number from 1 to {}, or one of {}", model.hypotheses.size(), names_of(model.hypotheses)));
+  refuse_option(
+      "--hypothesis", in_quotes(words.hypothesis),
+      fmt::format("a number from 1 to {}, or one of {}", model.hypotheses.size(), names_of(model.hypotheses)));
 }
 
 // Of one material alone, or of one alone that shots were fitted into, nothing need be said.
 int material_of(const PredictWords& words, const ShotModel& model) {
   const auto& materials = model.hypotheses.front().materials;
   if (const auto named = index_named(materials, words.material)) return *named;
-  if (!words.material.empty()) refuse("--material", in_quotes(words.material), names_of(materials));
+  if (!words.material.empty()) refuse_option("--material", in_quotes(words.material), names_of(materials));
   std::vector<int> shot_into;
   for (const FiredShot& shot : model.shots)
     if (shot.fitted && std::ranges::find(shot_into, shot.material) == shot_into.end())
       shot_into.push_back(shot.material);
-  if (materials.size() > 1 && shot_into.size() != 1) refuse("--material", "nothing", "one of " + names_of(materials));
+  if (materials.size() > 1 && shot_into.size() != 1)
+    refuse_option("--material", "nothing", "one of " + names_of(materials));
   return materials.size() == 1 ? 0 : shot_into.front();
 }
-
-// One number a row: the column of that name, or the option; nothing where neither is there.
-class Rows {
- public:
-  explicit Rows(std::optional<CsvTable> table) : table_(std::move(table)) {}
-
-  std::size_t size() const { return table_ ? table_->rows.size() : 1; }
-  bool have(const std::string& name, const std::string& option) const { return column(name) || !option.empty(); }
-
-  std::vector<double> numbers(const std::string& name, const std::string& option, const Dimension& dimension) const {
-    const Range accepted = positive(name_of(dimension));
-    const auto in_column = column(name);
-    if (!in_column) return std::vector(size(), one_quantity(option, option_of(name), dimension, accepted));
-    const std::vector<double> values = table_->numbers(*in_column, dimension);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (!contains(accepted, values[i]))
-        throw BadInput({table_->file, table_->rows[i].line, table_->columns[*in_column].header},
-                       in_quotes(table_->cell(table_->rows[i], *in_column)), words_of(accepted));
-    return values;
-  }
-
-  std::vector<std::string> labels() const {
-    if (const auto named = column("label")) return table_->texts(table_->columns[*named].header);
-    return std::vector<std::string>(size());
-  }
-
-  // One of two that stand for each other: the second's own name where it is given.
-  std::string one_of(const std::string& first, const std::string& first_option, const std::string& second,
-                     const std::string& second_option) const {
-    if (have(first, first_option) && have(second, second_option))
-      refuse(option_of(first), "this beside " + option_of(second), "one of the two");
-    return have(second, second_option) ? second : have(first, first_option) ? first : "";
-  }
-
-  static std::string option_of(std::string name) {
-    std::ranges::replace(name, '_', '-');
-    return "--" + name;
-  }
-
- private:
-  std::optional<int> column(const std::string& name) const { return table_ ? table_->find(name) : std::nullopt; }
-
-  std::optional<CsvTable> table_;
-};
 
 // Option of the number that is looked for: nobody says it.
 void check_left_out(ShotNumber wanted, const PredictWords& words) {
   const auto refuse_beside = [&](const std::string& option, const std::string& given) {
     if (!given.empty())
-      refuse(option, "this beside --depth, which looks for the " + std::string(word(wanted)),
-             std::string("no ") + option + ", or --solve-for another number");
+      refuse_option(option, "this beside --depth, which looks for the " + std::string(word(wanted)),
+                    std::string("no ") + option + ", or --solve-for another number");
   };
   if (wanted == ShotNumber::speed) refuse_beside("--speed", words.speed);
   if (wanted == ShotNumber::diameter) {
-    refuse_beside("--diameter", words.diameter);
-    refuse_beside("--radius", words.radius);
+    refuse_beside("--diameter", words.sphere.diameter);
+    refuse_beside("--radius", words.sphere.radius);
   }
-  if (wanted == ShotNumber::density) refuse_beside("--particle-density", words.density);
-  if (wanted != ShotNumber::speed && !words.mass.empty())
-    refuse("--particle-mass", "this beside --solve-for " + std::string(word(wanted)), "--particle-density");
-  if (!words.shots.empty()) refuse("--shots", "this beside --depth", "one of the two");
+  if (wanted == ShotNumber::density) refuse_beside("--particle-density", words.sphere.density);
+  if (wanted != ShotNumber::speed && !words.sphere.mass.empty())
+    refuse_option("--particle-mass", "this beside --solve-for " + std::string(word(wanted)), "--particle-density");
+  if (!words.shots.empty()) refuse_option("--shots", "this beside --depth", "one of the two");
 }
 
 ShotNumber number_looked_for(const PredictWords& words) {
   for (const ShotNumber number : {ShotNumber::speed, ShotNumber::diameter, ShotNumber::density})
     if (words.solve_for == word(number)) return number;
   if (words.solve_for.empty()) return ShotNumber::speed;
-  refuse("--solve-for", in_quotes(words.solve_for), "speed, diameter or density");
+  refuse_option("--solve-for", in_quotes(words.solve_for), "speed, diameter or density");
 }
 
 // Where the numbers of the shots come from: a column, an option, or what the fitted shots have in common.
@@ -135,27 +87,17 @@ class Sources {
   std::vector<std::string> labels() const { return rows_.labels(); }
 
   std::vector<double> radii() const {
-    const std::string name = rows_.one_of("radius", words_.radius, "diameter", words_.diameter);
-    if (name == "radius") return rows_.numbers(name, words_.radius, dimension::length);
-    std::vector<double> sizes = name.empty() ? in_common("diameter", ShotNumber::diameter, "a diameter or a radius",
-                                                         [](const FiredShot& shot) { return 2 * shot.radius; })
-                                             : rows_.numbers(name, words_.diameter, dimension::length);
+    if (const auto said = rows_.radii(words_.sphere)) return *said;
+    std::vector<double> sizes = in_common("diameter", ShotNumber::diameter, "a diameter or a radius",
+                                          [](const FiredShot& shot) { return 2 * shot.radius; });
     for (double& size : sizes) size /= 2;
     return sizes;
   }
 
   std::vector<double> densities(const std::vector<double>& radii) const {
-    const std::string name = rows_.one_of("particle_density", words_.density, "particle_mass", words_.mass);
-    if (name.empty())
-      return in_common("particle_density", ShotNumber::density, "the sphere's density or its mass",
-                       [](const FiredShot& shot) { return shot.density; });
-    if (name == "particle_density") return rows_.numbers(name, words_.density, dimension::density);
-    std::vector<double> amounts = rows_.numbers(name, words_.mass, dimension::mass);
-    for (std::size_t i = 0; i < amounts.size(); ++i) {
-      amounts[i] = sphere_density(amounts[i], radii[i]);
-      if (!std::isnormal(amounts[i])) refuse("--particle-mass", "a mass that does not fit the size", "one that does");
-    }
-    return amounts;
+    if (const auto said = rows_.densities(words_.sphere, radii)) return *said;
+    return in_common("particle_density", ShotNumber::density, "the sphere's density or its mass",
+                     [](const FiredShot& shot) { return shot.density; });
   }
 
   std::vector<double> speeds() const {
@@ -173,7 +115,8 @@ class Sources {
       return std::vector(size(), *depth);
     const auto in_radii = common([](const FiredShot& shot) { return shot.layer_depth / shot.radius; });
     if (!in_radii)
-      refuse("--layer-depth", "nothing, and the fitted shots differ in it", "the target's depth, such as \"200 mm\"");
+      refuse_option("--layer-depth", "nothing, and the fitted shots differ in it",
+                    "the target's depth, such as \"200 mm\"");
     std::vector<double> depths = radii;
     for (double& depth : depths) depth *= *in_radii;
     return depths;
@@ -199,14 +142,14 @@ class Sources {
       return std::vector(size(), std::exp(sum / static_cast<double>(model_.shots.size())));
     }
     const auto found = common(of_shot);
-    if (!found) refuse(Rows::option_of(name), "nothing, and the fitted shots differ in it", accepted);
+    if (!found) refuse_option(ShotRows::option_of(name), "nothing, and the fitted shots differ in it", accepted);
     return std::vector(size(), *found);
   }
 
   const PredictWords& words_;
   const ShotModel& model_;
   const PredictRequest& request_;
-  Rows rows_;
+  ShotRows rows_;
 };
 
 std::vector<NamedShot> shots_of(const PredictWords& words, const ShotModel& model, const PredictRequest& request) {
@@ -225,14 +168,27 @@ std::vector<NamedShot> shots_of(const PredictWords& words, const ShotModel& mode
     shot.layer_width = width * shot.radius;
     shot.label = labels[i].empty() ? words_of(shot) : labels[i];
     if (!(shot.layer_depth > shot.radius))
-      refuse("--layer-depth", format_quantity(shot.layer_depth, dimension::length),
-             "more than the sphere's radius, " + format_quantity(shot.radius, dimension::length));
+      refuse_option("--layer-depth", format_quantity(shot.layer_depth, dimension::length),
+                    "more than the sphere's radius, " + format_quantity(shot.radius, dimension::length));
     shots.push_back(std::move(shot));
   }
   return shots;
 }
 
 }  // namespace
+
+std::vector<NamedText> named_texts(PredictWords& words) {
+  std::vector<NamedText> texts{{"material", &words.material},
+                               {"hypothesis", &words.hypothesis},
+                               {"speed", &words.speed},
+                               {"layer_depth", &words.layer_depth},
+                               {"speed_error", &words.speed_error},
+                               {"shots", &words.shots},
+                               {"depth", &words.depth},
+                               {"solve_for", &words.solve_for}};
+  for (const NamedText& text : named_texts(words.sphere)) texts.push_back(text);
+  return texts;
+}
 
 PredictRequest understood(const PredictWords& words, const ShotModel& model) {
   PredictRequest request{.words = words,
@@ -246,21 +202,21 @@ PredictRequest understood(const PredictWords& words, const ShotModel& model) {
     request.speed_error = one_share(words.speed_error, "--speed-error",
                                     {.low = 0, .high = 0.5, .words = "a share of the speed from 0 to 50 %"});
   if (words.v50) {
-    if (!words.depth.empty()) refuse("--v50", "this beside --depth", "one of the two");
+    if (!words.depth.empty()) refuse_option("--v50", "this beside --depth", "one of the two");
     if (!model.passage)
-      refuse("--v50", "a calibration that has not learnt what passes a layer",
-             "one with shots that passed or stopped, a speed left, or [training] passage = true");
+      refuse_option("--v50", "a calibration that has not learnt what passes a layer",
+                    "one with shots that passed or stopped, a speed left, or [training] passage = true");
   }
   if (!words.depth.empty() || words.v50) {
     request.looked_for = number_looked_for(words);
     check_left_out(*request.looked_for, words);
     if (!words.v50) request.depth = one_quantity(words.depth, "--depth", dimension::length, positive("length"));
   } else if (!words.solve_for.empty()) {
-    refuse("--solve-for", in_quotes(words.solve_for) + " without --depth or --v50", "one of them beside it");
+    refuse_option("--solve-for", in_quotes(words.solve_for) + " without --depth or --v50", "one of them beside it");
   }
   if (words.speed.find("..") != std::string::npos) {
-    if (!words.shots.empty()) refuse("--speed", "a range beside --shots", "one speed for all, or a column");
-    if (request.looked_for) refuse("--speed", "a range beside --depth or --v50", "one speed");
+    if (!words.shots.empty()) refuse_option("--speed", "a range beside --shots", "one speed for all, or a column");
+    if (request.looked_for) refuse_option("--speed", "a range beside --depth or --v50", "one speed");
     request.speeds = quantity_range(words.speed, "--speed", dimension::speed, positive("speed"));
   }
   request.shots = shots_of(words, model, request);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "percal/predict/predictor.hpp"
-#include "percal/text/one_value.hpp"
+#include "percal/predict/shot_words.hpp"
 
 namespace percal {
 
@@ -13,8 +13,7 @@ namespace percal {
 struct PredictWords {
   std::string material = {}, hypothesis = {};  // names; a hypothesis also by its number, from 1
   std::string speed = {};                      // a quantity, or a range "50..250 m/s"
-  std::string radius = {}, diameter = {};      // one of the two
-  std::string density = {}, mass = {};         // of the sphere, one of the two
+  SphereWords sphere = {};
   std::string layer_depth = {};
   std::string speed_error = {};  // a share: standard deviation of every speed
   std::string shots = {};        // CSV of many shots; a column stands before the option of its name
@@ -23,6 +22,9 @@ struct PredictWords {
   bool v50 = false;              // the number at which half of the shots pass the layer is looked for
   std::optional<double> level = {};
 };
+
+// Its texts by their names.
+std::vector<NamedText> named_texts(PredictWords& words);
 
 struct NamedShot : SphereShot {
   std::string label;

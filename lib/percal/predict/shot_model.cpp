@@ -247,4 +247,15 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   return model;
 }
 
+ShotModel kept_shot_model(const Json& result, const std::string& file) {
+  const std::string accepted = "a value as percal calibrate wrote it";
+  try {
+    return shot_model_of(result, file);
+  } catch (const page::MissingKey& missing) {
+    throw BadInput({file, 0, missing.key}, "no value that can be used", accepted);
+  } catch (const Json::exception& error) {
+    throw BadInput({file, 0, "shot_model"}, error.what(), accepted);
+  }
+}
+
 }  // namespace percal

@@ -67,4 +67,7 @@ page::Json shot_model_to_json(const ShotModel& model);
 // Json's own exceptions where it was cut by hand.
 ShotModel shot_model_of(const page::Json& result, const std::string& file);
 
+// The same with BadInput for one that was cut by hand, too.
+ShotModel kept_shot_model(const page::Json& result, const std::string& file);
+
 }  // namespace percal

@@ -16,6 +16,7 @@ from ._card import CardMaterial, card_curve, card_of, read_card, solvers, uniaxi
 from ._core import __version__, default_store_path, instruction_level
 from ._fit import Fit, Interval, Minimum, fit, fit_csv, nominal_stress
 from ._impact import Impact, Scene, impact
+from ._shots import Inversion, Prediction, invert, predict
 from ._jobs import Calibration, Identification, Hypothesis, Ridge, Scaling, calibrate, identify, scale
 
 __all__ = [
@@ -25,7 +26,9 @@ __all__ = [
     "Identification",
     "Impact",
     "Interval",
+    "Inversion",
     "Minimum",
+    "Prediction",
     "Hypothesis",
     "Ridge",
     "Scaling",
@@ -40,7 +43,9 @@ __all__ = [
     "identify",
     "impact",
     "instruction_level",
+    "invert",
     "nominal_stress",
+    "predict",
     "read_card",
     "scale",
     "solvers",

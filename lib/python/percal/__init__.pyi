@@ -191,6 +191,7 @@ class Calibration(_Result):
     findings: list[str]
     cost: dict[str, Any]
     def __init__(self, result: dict[str, Any]) -> None: ...
+    def predict(self, **said: Any) -> Prediction: ...
 
 def calibrate(
     job: _Path,
@@ -199,6 +200,39 @@ def calibrate(
     threads: int = 0,
     announce: Callable[[str], Any] | None = None,
 ) -> Calibration: ...
+
+class Prediction(_Result):
+    shots: dict[str, Any]
+    curve: dict[str, _Array]
+    depth: float | None
+    value: float | None
+    findings: list[str]
+    def __init__(self, result: dict[str, Any]) -> None: ...
+
+def predict(
+    result: _Path | Mapping[str, Any],
+    *,
+    level: float | None = None,
+    v50: bool = False,
+    verify: bool = False,
+    store: _Path | None = None,
+    threads: int = 0,
+    **said: Any,
+) -> Prediction: ...
+
+class Inversion(_Result):
+    found: bool
+    mu: float | None
+    erosion_strain: float | None
+    interval: Interval | None
+    ridge: dict[str, _Array]
+    warnings: list[str]
+    findings: list[str]
+    def __init__(self, result: dict[str, Any]) -> None: ...
+
+def invert(
+    *, level: float | None = None, store: _Path | None = None, threads: int = 0, **said: Any
+) -> Inversion: ...
 
 class Identification(_Result):
     complete: bool

@@ -2,7 +2,6 @@
 
 import json
 import os
-from collections.abc import Mapping
 
 import numpy as np
 
@@ -10,30 +9,10 @@ from . import _core
 from ._card import CardMaterial
 from ._fit import interval_of
 from ._impact import Scene
-from ._page import Paged, axes
+from ._page import _Result, axes
+from ._shots import predict
 from ._shown import between, with_unit
 from ._toml import text_of
-
-
-class _Result(Paged, Mapping):
-    """A result.json as a read-only dict."""
-
-    def __init__(self, result):
-        self._result = result
-
-    @property
-    def result(self):
-        """The dict itself."""
-        return self._result
-
-    def __getitem__(self, key):
-        return self._result[key]
-
-    def __iter__(self):
-        return iter(self._result)
-
-    def __len__(self):
-        return len(self._result)
 
 
 _UNITS = ("", "_Pa", "_m")  # that a key of a parameter may end in
@@ -159,6 +138,10 @@ class Calibration(_Result):
         self.hypotheses = [Hypothesis(entry) for entry in result["hypotheses"]]
         self.findings = result["findings"]
         self.cost = result["cost"]
+
+    def predict(self, **said):
+        """A shot that was not fired, by this calibration: percal.predict(self, ...)."""
+        return predict(self, **said)
 
     def __repr__(self):
         return "Calibration(" + "; ".join(repr(hypothesis) for hypothesis in self.hypotheses) + ")"

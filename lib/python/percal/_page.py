@@ -2,6 +2,7 @@
 
 import html
 import json
+from collections.abc import Mapping
 
 from . import _core
 
@@ -12,6 +13,27 @@ class Paged:
     def _repr_html_(self):
         page = html.escape(_core.html(json.dumps(self.result)), quote=True)
         return f'<iframe srcdoc="{page}" style="width: 100%; height: 40rem; border: 0" title="percal"></iframe>'
+
+
+class _Result(Paged, Mapping):
+    """A result.json as a read-only dict."""
+
+    def __init__(self, result):
+        self._result = result
+
+    @property
+    def result(self):
+        """The dict itself."""
+        return self._result
+
+    def __getitem__(self, key):
+        return self._result[key]
+
+    def __iter__(self):
+        return iter(self._result)
+
+    def __len__(self):
+        return len(self._result)
 
 
 def axes(ax):

@@ -83,21 +83,10 @@ Json solved_to_json(const PredictRequest& request, const SolvedShot& solved) {
   return json;
 }
 
-Json words_to_json(const PredictWords& words, const std::string& result) {
+Json words_to_json(PredictWords words, const std::string& result) {
   Json json{{"result", result}};
-  for (const auto& [key, said] : {std::pair{"material", &words.material},
-                                  {"hypothesis", &words.hypothesis},
-                                  {"speed", &words.speed},
-                                  {"radius", &words.radius},
-                                  {"diameter", &words.diameter},
-                                  {"particle_density", &words.density},
-                                  {"particle_mass", &words.mass},
-                                  {"layer_depth", &words.layer_depth},
-                                  {"speed_error", &words.speed_error},
-                                  {"shots", &words.shots},
-                                  {"depth", &words.depth},
-                                  {"solve_for", &words.solve_for}})
-    if (!said->empty()) json[key] = *said;
+  for (const auto& [name, said] : named_texts(words))
+    if (!said->empty()) json[name] = *said;
   if (words.v50) json["v50"] = true;
   return json;
 }
