@@ -71,6 +71,14 @@ std::vector<std::string> comments_of(const CalibrationJob& job, const Hypothesis
         fmt::format("erosion was judged by the energy of a tension test to this strain, averaged over {}: "
                     "where each element is judged by itself, another strain is wanted",
                     format_quantity(*at.erosion_length, dimension::length)));
+  if (at.laws.rate_exponent != 0)
+    comments.push_back(fmt::format("mu is that at {:.3g} 1/s; it was calibrated to go as the rate to the power {:.3g}",
+                                   at.laws.reference_rate, at.laws.rate_exponent));
+  if (at.laws.size_exponent != 0)
+    comments.push_back(
+        fmt::format("the erosion strain is that for spheres of radius {}; it was calibrated to go as the radius to the "
+                    "power {:.3g}",
+                    format_quantity(at.laws.reference_radius, dimension::length), at.laws.size_exponent));
   return comments;
 }
 

@@ -58,6 +58,49 @@ void erosion_in_other_measures(const CalibrationJob& job, const JobFit& fit, con
   }
 }
 
+// What the laws of a material make of its numbers over its shots.
+void laws_over_the_shots(const CalibrationJob& job, const HypothesisResult& result,
+                         std::vector<std::string>& sentences) {
+  if (result.minima.empty()) return;
+  const Hypothesis& hypothesis = job.hypotheses[result.index];
+  const auto natural = natural_values(job, hypothesis, result.parameters, result.minima.front().searched);
+  for (std::size_t m = 0; m < job.materials.size(); ++m) {
+    const MaterialAt at = material_at(job, hypothesis, static_cast<int>(m), natural);
+    const auto of_shots = [&](const auto& number) {
+      double least = INFINITY, most = 0;
+      for (const MeasuredShot& shot : job.shots) {
+        if (shot.material != static_cast<int>(m)) continue;
+        least = std::min(least, number(shot));
+        most = std::max(most, number(shot));
+      }
+      return std::pair(least, most);
+    };
+    if (at.laws.rate_exponent != 0) {
+      const auto [slow, fast] = of_shots([](const MeasuredShot& shot) { return shot.speed / shot.radius; });
+      if (fast > 0)
+        sentences.push_back(
+            fmt::format("mu of {} is meant at {:.3g} 1/s and goes as the rate to the power {:.3g}: over its shots, "
+                        "{:.3g} to {:.3g} "
+                        "1/s (speed over radius), from {} to {}, true.",
+                        job.materials[m].name, at.laws.reference_rate, at.laws.rate_exponent, slow, fast,
+                        page::pressure(at.mu_true * rate_factor(at.laws, slow)),
+                        page::pressure(at.mu_true * rate_factor(at.laws, fast))));
+    }
+    if (at.laws.size_exponent != 0) {
+      const auto [small, large] = of_shots([](const MeasuredShot& shot) { return shot.radius; });
+      if (large > 0)
+        sentences.push_back(
+            fmt::format("The erosion strain of {} is meant for a radius of {} and goes as the radius to the power "
+                        "{:.3g}: {:.3g} for "
+                        "spheres of {}, {:.3g} for {}. Where each element is judged by itself, all at one number of "
+                        "elements per radius.",
+                        job.materials[m].name, page::length(at.laws.reference_radius, 3), at.laws.size_exponent,
+                        at.erosion_strain * size_factor(at.laws, small), page::length(small, 3),
+                        at.erosion_strain * size_factor(at.laws, large), page::length(large, 3)));
+    }
+  }
+}
+
 // The length beside the spheres of its material, and the meshes that it makes.
 void erosion_length_in_radii(const CalibrationJob& job, const HypothesisResult& result,
                              std::vector<std::string>& sentences) {
@@ -119,6 +162,7 @@ std::vector<std::string> hypothesis_findings(const CalibrationJob& job, const Jo
   std::vector<std::string> sentences = findings(fit.problem, fit.minima, result.intervals);
   erosion_in_other_measures(job, fit, result, sentences);
   erosion_length_in_radii(job, result, sentences);
+  laws_over_the_shots(job, result, sentences);
   moduli_beside_curves(job.hypotheses[result.index], result, sentences);
   scatter_alone(job, fit, sentences);
   mesh_error(result, sentences);

@@ -57,6 +57,19 @@ void add_predictions(const CalibrationJob& job, int hypothesis, const JobModel& 
       result.leave_one_out.push_back(leave_one_out(job, model, static_cast<int>(s), fit, quick_search()));
 }
 
+// Akaike's criterion for small samples (Hurvich and Tsai 1989): -2 ln L + 2 k + 2 k (k + 1)/(n - k - 1), k parameters and estimated
+// scatters.
+std::optional<double> aicc_of(const JobFit& fit) {
+  std::size_t scatters = 0;
+  for (std::size_t g = 0; g < fit.problem.groups.size(); ++g)
+    scatters += fit.problem.groups[g].estimated && std::ranges::any_of(fit.problem.data, [g](const Datum& datum) {
+                  return datum.group == static_cast<int>(g);
+                });
+  const auto n = static_cast<double>(fit.problem.data.size()), k = static_cast<double>(fit.of_model.size() + scatters);
+  if (n - k - 1 <= 0) return std::nullopt;
+  return fit.best().deviance + 2 * k + 2 * k * (k + 1) / (n - k - 1);
+}
+
 }  // namespace
 
 ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
@@ -83,6 +96,7 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
   for (int k : fit.of_model) result.parameters.push_back(model.of_job[k]);
   result.intervals = region_intervals(fit.problem, fit.minima, job.level, quick_search());
   result.combinations = combinations(fit.problem, fit.best());
+  result.aicc = aicc_of(fit);
   result.verdict = verdict_of(job, hypothesis, model, fit);
   result.shots = shot_depths(job, model, fit, all_shots(job));
   result.curves = curve_stresses(job, model, fit);

@@ -125,6 +125,8 @@ struct HypothesisResult {
   std::vector<ProfileInterval> intervals;
   std::optional<Bootstrap> bootstrap;
   std::vector<Combination> combinations;
+  std::optional<double> aicc =
+      {};  // of the best minimum: comparable among the hypotheses of a job; nothing where data are too few
   std::vector<RidgeMap>
       ridges;  // each fitted modulus over the erosion strain of its material, where that is fitted too
   std::vector<ShotDepth> shots;            // every shot of the job

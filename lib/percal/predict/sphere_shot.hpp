@@ -21,7 +21,7 @@ struct SphereShot {
 std::string words_of(const SphereShot& shot);
 
 // How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, the erosion strain by one of the radius.
-// Exponents of 0: they do not.                                                                 docs/theory/laws.md (1), (2)
+// Exponents of 0: they do not.                                                                 docs/theory/calibration.md (3a), (3b)
 struct MaterialLaws {
   double rate_exponent = 0, reference_rate = 1;    // 1/s
   double size_exponent = 0, reference_radius = 1;  // m

@@ -169,6 +169,7 @@ std::set<int> parameters_with_data(const CalibrationJob& job) {
   for (const MeasuredCurve& curve : job.curves) {
     add_index(indices, job.materials[curve.material].mu);
     add_index(indices, job.materials[curve.material].alpha);
+    add_index(indices, job.materials[curve.material].rate_exponent);
   }
   return indices;
 }
@@ -182,11 +183,11 @@ void check_parameters(const TomlTable& root, const CalibrationJob& job) {
     if (!named.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no material names",
-                  "one that is mu, alpha, erosion_strain or erosion_length of some material");
+                  "one that is mu, alpha, erosion_strain, erosion_length or a law's exponent of some material");
     if (!with_data.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no fitted datum depends on",
-                  "a fitted shot of its material (for mu and alpha a curve will do), or a value in its place");
+                  "a fitted shot of its material (for mu, alpha and a rate exponent a curve will do), or a value in its place");
   }
 }
 

@@ -179,6 +179,7 @@ struct LawKeys {
 void read_law(const TomlTable& block, const LawKeys& keys, ParameterKind kind, const Dimension& dimension,
               const CalibrationJob& job, MaterialNumber& exponent, double& reference) {
   describe_number(block, keys.exponent, kind);
+  block.knows(keys.exponent);
   const auto given = block.optional_quantity(keys.reference, dimension, positive(keys.reference));
   if (!block.has(keys.exponent)) {
     if (given) block.refuse(keys.reference, "this without " + keys.exponent, "both or none");

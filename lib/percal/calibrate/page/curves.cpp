@@ -35,6 +35,7 @@ Json measured_curves_to_json(const CalibrationJob& job) {
                    {"measured", points_to_json(curve)},
                    {"rate_factor", curve.rate_factor},
                    {"rate_factor_error", curve.rate_factor_error},
+                   {"rate_1_s", finite(curve.rate)},
                    {"relative_error", curve.relative_error},
                    {"synthetic", curve.synthetic}});
   return all;

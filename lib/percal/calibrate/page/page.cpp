@@ -40,6 +40,7 @@ Json hypothesis_to_json(const CalibrationJob& job, const HypothesisResult& resul
             {"fresh_runs", fresh_to_json(job, result.fresh)},
             {"fresh_mean_deviation", result.fresh.empty() ? Json() : finite(result.fresh_deviation)},
             {"mesh_error", finite(result.mesh_error)},
+            {"aicc", finite(result.aicc)},
             {"findings", result.findings}};
   json.update(fit_to_json(job, result));
   json.update(predictions_to_json(job, result.sets, result.cross_validations, result.leave_one_out));
@@ -83,6 +84,14 @@ Table side_by_side(const Json& result) {
   for (const Json& parameter : list(at(result, "data"), "parameters"))
     row(text(parameter, "name"), [&](const Json& one) { return value_under(one, text(parameter, "name")); });
   for (const std::string& set : sets) row(set, [&](const Json& one) { return mean_deviation_of(one, set); });
+  double best = HUGE_VAL;
+  for (const Json& one : hypotheses) best = std::min(best, number_or(one, "aicc", HUGE_VAL));
+  if (hypotheses.size() > 1 && std::isfinite(best)) {
+    row("AICc above the best", [&](const Json& one) { return shown(number_or(one, "aicc", nowhere) - best, 3); });
+    table.notes.push_back(
+        "AICc: what the data say for a hypothesis, its parameters counted against it; 2 more is worse, 10 more "
+        "hopeless.");
+  }
   table.notes.push_back("Moduli as given; of sets the mean size of their depths' deviations.");
   return table;
 }
