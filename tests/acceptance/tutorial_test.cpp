@@ -32,7 +32,7 @@ TEST_F(SlowTutorial, EveryCommandDoesWhatThePageSays) {
     EXPECT_EQ(ended.code, 0) << "percal " << command << "\n" << ended.err;
   }
   for (const char* file :
-       {"skin.out/result.json", "skin.k", "skin.inp", "skin.html", "bb.png", "bb.out/report.html", "skin_cube.inp"})
+       {"block.k", "block_speeds/shots.csv", "skin.out/result.json", "skin.k", "skin.inp", "skin.html", "bb.png", "bb.out/report.html", "skin_cube.inp"})
     EXPECT_TRUE(fs::exists(path(file))) << file;
 }
 

@@ -198,6 +198,7 @@ TEST_F(SecondJob, AlphaComesFromAScanWhereTheJobNamesATarget) {
     EXPECT_GT(point["table_mu_as_given_Pa"], 0.0);
   }
   EXPECT_THAT(found["findings"].dump(), HasSubstr("in-sample"));
+  EXPECT_THAT(found["findings"].dump(), HasSubstr("a factor of 2.1 in the modulus"));
   EXPECT_EQ(found["tables"][0]["name"], "pairs, identified modulus");
   for (const json& row : found["tables"][1]["rows"])
     EXPECT_NEAR(row["difference"], 0, 4e-3) << "rounded to 1 kPa in 150";

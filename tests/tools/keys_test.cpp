@@ -54,7 +54,8 @@ TEST_F(Keys, EveryKeyHasAMeaningAndEveryMeaningAKey) {
   for (const auto& kind : kinds) {
     const Ended ended = run({"keys", kind, "--json"});
     ASSERT_EQ(ended.code, 0) << ended.err;  // the program refuses otherwise
-    for (const json& key : json::parse(ended.out)["keys"]) EXPECT_NE(key["meaning"], "") << key;
+    const json keys = json::parse(ended.out)["keys"];
+    for (const json& key : keys) EXPECT_NE(key["meaning"], "") << key;
   }
 }
 
@@ -127,7 +128,8 @@ TEST_P(NewTemplate, EveryAlternativeIsValidInPlaceOfWhatItNames) {
 TEST_P(NewTemplate, HasEveryKeyAndShowsItsDefault) {
   const auto lines = written();
   const std::string text = joined(lines);
-  for (const json& key : json::parse(run({"keys", GetParam(), "--json"}).out)["keys"]) {
+  const json keys = json::parse(run({"keys", GetParam(), "--json"}).out)["keys"];
+  for (const json& key : keys) {
     const std::string path = key["key"], name = path.substr(path.rfind('.') + 1), value = key["default"];
     if (key["kind"] == "table" || key["kind"] == "tables" || name == "NAME") continue;
     EXPECT_THAT(text, HasSubstr(name + " = ")) << path;
