@@ -106,7 +106,7 @@ class Chooser {
         if (!kept_[test.points[i].row]) kept_[test.points[i].row] = true, ++rows;
     const auto branches = branches_of(test);
     const auto loading = std::count_if(branches.begin(), branches.end(), [](const Branch& b) { return b.loading; });
-    if (branches.size() < 2) return;
+    if (rows == test.points.size()) return;
     source().warnings.push_back(fmt::format(
         "{}: {}: the stretch runs back: {} branches, {} of loading and {} of unloading; fitted {}: {} of {} rows.",
         table_.file, test.name, branches.size(), loading, static_cast<std::ptrdiff_t>(branches.size()) - loading,
@@ -137,7 +137,7 @@ class Chooser {
     for (const Piece& piece : pieces) {
       const Top top = top_of(test, piece.begin, piece.end);
       const Met& at = test.points[top.at];
-      if (!(at.stress > 0)) continue;
+      if (!(at.stress > 0) || at.strain <= test.points[piece.begin].strain) continue;  // an unloading has no peak
       for (std::size_t i = top.at + 1; i <= piece.end; ++i) kept_[test.points[i].row] = false;
       const bool relaxes = std::any_of(holds.begin(), holds.end(), [&](const HeldRows& held) {
         return held.begin <= top.at + 1 && held.end > top.at;
