@@ -64,7 +64,7 @@ TEST(Laws, TheModelsDerivativesAreThoseOfItsValues) {
   for (int k = 0; k < 5; ++k) at[k] = job.parameters[k].free.searched(true_laws[k]);
   const auto check = [&](const auto& values) {
     const ModelAnswer here = values(at);
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < at.size(); ++k) {
       constexpr double step = 1e-5;
       Eigen::VectorXd up = at, down = at;
       up[k] += step;
@@ -75,6 +75,16 @@ TEST(Laws, TheModelsDerivativesAreThoseOfItsValues) {
   };
   check([&](const Eigen::VectorXd& x) { return model.log_depths(x, job.shots, Want::values); });
   check([&](const Eigen::VectorXd& x) { return model.stresses(x, Want::values); });
+  // Spheres of 1.4 mm diameter below a cell of 2 mm, the others above.
+  job.parameters.push_back({ParameterKind::erosion_strain, {.name = "below", .unit = "", .low = 0.3, .high = 1.5}});
+  job.materials[0].erosion_strain_below = SharedParameter{5};
+  job.materials[0].cell = 2e-3;
+  const JobModel with_cell =
+      finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), mesh_of_laws);
+  at.conservativeResize(6);
+  at[5] = std::log(0.5);
+  check([&](const Eigen::VectorXd& x) { return with_cell.log_depths(x, job.shots, Want::values); });
+  at.conservativeResize(5);
   // A faster shot meets a stiffer gel.
   const Eigen::VectorXd exponents = model.speed_exponents(at, job.shots);
   std::vector<MeasuredShot> faster = job.shots;
@@ -112,6 +122,19 @@ TEST(Laws, AreInTheScenesThatARunIsMadeOf) {
   EXPECT_NEAR(scene.target.mu_as_given, 2e6, 1);  // 40,000 1/s: 20 times as stiff
   EXPECT_DOUBLE_EQ(std::get<StrainErosion>(scene.target.erosion).limit, 1.6);
   EXPECT_NEAR(shot_inputs(shot, gel).at.log_pi4, std::log(1010 * 1600 / 2e6), 1e-9);
+}
+
+TEST(Laws, ASphereBelowACellMeetsAStrainOfItsOwn) {
+  LayerMaterial skin{.density = 1000, .mu_true = 1e7, .alpha = 8, .erosion_strain = 0.9};
+  skin.laws.cell = 2e-3;
+  skin.laws.erosion_strain_below = 0.4;
+  const SphereShot small{.radius = 0.99e-3, .density = 7800, .speed = 40, .layer_depth = 0.1, .layer_width = 5e-3};
+  SphereShot large = small;
+  large.radius = 1.01e-3;
+  EXPECT_EQ(shot_inputs(small, skin).at.erosion_strain, 0.4);
+  EXPECT_EQ(shot_inputs(large, skin).at.erosion_strain, 0.9);
+  EXPECT_EQ(shot_inputs(small, skin).by_material.col(2).norm(), 0) << "the other strain is nothing to it";
+  EXPECT_EQ(shot_inputs(large, skin).by_material.col(6).norm(), 0);
 }
 
 // 100 truths: depths with 5 % scatter and, of the rate, curves beside them.

@@ -169,8 +169,14 @@ Held held_of_100(int shots, bool speeds_left) {
   return held;
 }
 
-TEST(SlowPassage, OutcomesRecoverTheModulusAndTheSpeedThatHalfPass) {
-  const Held held = held_of_100(16, false);
+struct WhatWasSeen {
+  int shots;
+  bool speeds_left;  // and depths; else outcomes alone
+};
+class PassageCoverage : public testing::TestWithParam<WhatWasSeen> {};
+
+TEST_P(PassageCoverage, RecoversTheModulusAndTheSpeedThatHalfPass) {
+  const Held held = held_of_100(GetParam().shots, GetParam().speeds_left);
   RecordProperty("modulus", held.modulus);
   RecordProperty("v50", held.v50);
   for (const int count : {held.modulus, held.v50}) {
@@ -179,15 +185,8 @@ TEST(SlowPassage, OutcomesRecoverTheModulusAndTheSpeedThatHalfPass) {
   }
 }
 
-TEST(SlowPassage, SpeedsLeftAndDepthsRecoverThemToo) {
-  const Held held = held_of_100(10, true);
-  RecordProperty("modulus", held.modulus);
-  RecordProperty("v50", held.v50);
-  for (const int count : {held.modulus, held.v50}) {
-    EXPECT_GE(count, 89);
-    EXPECT_LE(count, 99);
-  }
-}
+INSTANTIATE_TEST_SUITE_P(Slow, PassageCoverage, testing::Values(WhatWasSeen{16, false}, WhatWasSeen{10, true}),
+                         [](const auto& seen) { return seen.param.speeds_left ? "SpeedsLeft" : "Outcomes"; });
 
 // The scatter that outcomes tell is the one that made them.
 TEST(Passage, OutcomesTellTheirScatter) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -28,11 +29,11 @@ struct Ended {
   std::string out, err;
 };
 
-// The words of a command line without quotes: what stands between its blanks.
+// The words of a command line: what stands between its blanks, or between double quotes.
 inline std::vector<std::string> words_of(const std::string& command) {
   std::vector<std::string> words;
   std::istringstream stream(command);
-  for (std::string word; stream >> word;) words.push_back(word);
+  for (std::string word; stream >> std::quoted(word);) words.push_back(word);
   return words;
 }
 

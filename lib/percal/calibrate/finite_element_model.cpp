@@ -16,7 +16,8 @@ double natural_slope(const FreeParameter& parameter, double natural) { return pa
 
 // Where a material's numbers stand among the fitted parameters; -1: not fitted.
 struct Places {
-  int mu = -1, alpha = -1, erosion_strain = -1, erosion_length = -1, rate_exponent = -1, size_exponent = -1;
+  int mu = -1, alpha = -1, erosion_strain = -1, erosion_length = -1, rate_exponent = -1, size_exponent = -1,
+      strain_below = -1;
 };
 
 struct Context {
@@ -29,9 +30,9 @@ struct Context {
     return natural_values(job, hypothesis, layout.of_job, searched);
   }
 
-  // d(ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent)/d searched of a material, 6 x parameters.
+  // d(ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent, erosion strain below a cell)/d searched of a material, 7 x parameters.
   MatrixXd derivative(int material, const MaterialAt& at) const {
-    MatrixXd d = MatrixXd::Zero(6, static_cast<Eigen::Index>(layout.parameters.size()));
+    MatrixXd d = MatrixXd::Zero(7, static_cast<Eigen::Index>(layout.parameters.size()));
     const Places& p = places[material];
     if (p.mu >= 0) d(0, p.mu) = natural_slope(layout.parameters[p.mu], at.mu_as_given) / at.mu_as_given;
     if (p.alpha >= 0) {
@@ -46,6 +47,8 @@ struct Context {
           natural_slope(layout.parameters[p.erosion_length], *at.erosion_length) / *at.erosion_length;
     if (p.rate_exponent >= 0) d(4, p.rate_exponent) = 1;
     if (p.size_exponent >= 0) d(5, p.size_exponent) = 1;
+    if (p.strain_below >= 0)
+      d(6, p.strain_below) = natural_slope(layout.parameters[p.strain_below], at.laws.erosion_strain_below);
     return d;
   }
 };
@@ -186,7 +189,8 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
          place_of(material.erosion_strain, context->layout.of_job),
          material.erosion_length ? place_of(*material.erosion_length, context->layout.of_job) : -1,
          place_of(material.rate_exponent, context->layout.of_job),
-         place_of(material.size_exponent, context->layout.of_job)});
+         place_of(material.size_exponent, context->layout.of_job),
+         place_of(material.erosion_strain_below, context->layout.of_job)});
   JobModel model = context->layout;  // its functions are still empty
   if (emulator) {
     const auto own = std::make_shared<const Emulator>(std::move(*emulator));

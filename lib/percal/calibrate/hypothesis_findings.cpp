@@ -86,6 +86,15 @@ void laws_over_the_shots(const CalibrationJob& job, const HypothesisResult& resu
                         page::pressure(at.mu_true * rate_factor(at.laws, slow)),
                         page::pressure(at.mu_true * rate_factor(at.laws, fast))));
     }
+    if (at.laws.cell > 0) {
+      const auto below = std::ranges::count_if(job.shots, [&](const MeasuredShot& shot) {
+        return shot.material == static_cast<int>(m) && is_below_cell(at.laws, shot.radius);
+      });
+      sentences.push_back(fmt::format(
+          "{} erodes at {:.3g} under spheres of a diameter below {}, {} of its shots, and at {:.3g} under larger ones.",
+          job.materials[m].name, at.laws.erosion_strain_below, page::length(at.laws.cell, 3), below,
+          at.erosion_strain));
+    }
     if (at.laws.size_exponent != 0) {
       const auto [small, large] = of_shots([](const MeasuredShot& shot) { return shot.radius; });
       if (large > 0)

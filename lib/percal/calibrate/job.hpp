@@ -36,6 +36,8 @@ struct CalibrationMaterial {
   std::optional<MaterialNumber> erosion_length = {};  // all materials of a job have one, or none has
   MaterialNumber rate_exponent = 0.0, size_exponent = 0.0;
   double reference_rate = 1, reference_radius = 1;  // 1/s, m: mu and erosion_strain are of these where they have laws
+  MaterialNumber erosion_strain_below = 0.0;        // for spheres of a diameter below `cell`
+  double cell = 0;                                  // m; 0: none
   std::optional<double>
       rate_factor;  // high-rate over quasi-static modulus: the quasi-static moduli are reported where it is there
   double rate_factor_error = 0;         // relative standard deviation

@@ -33,7 +33,9 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
   at.laws = {.rate_exponent = number_at(m.rate_exponent, natural),
              .reference_rate = m.reference_rate,
              .size_exponent = number_at(m.size_exponent, natural),
-             .reference_radius = m.reference_radius};
+             .reference_radius = m.reference_radius,
+             .cell = m.cell,
+             .erosion_strain_below = number_at(m.erosion_strain_below, natural)};
   at.mu_true = true_modulus(at.mu_as_given, at.alpha, hypothesis.convention);
   return at;
 }

@@ -17,7 +17,7 @@ GaussianProcess::GaussianProcess(Eigen::LLT<Eigen::MatrixXd> factor, const Eigen
     : factor_(std::move(factor)), values_(values), weights_(factor_.solve(values)) {}
 
 Eigen::MatrixXd GaussianProcess::whitened(Eigen::MatrixXd cross) const {
-  factor_.matrixL().solveInPlace(cross);
+  if (cross.cols() > 0) factor_.matrixL().solveInPlace(cross);  // Eigen takes the address of the first number
   return cross;
 }
 

@@ -89,16 +89,16 @@ TrainingRun run_of(const Json& json) {
   return run;
 }
 
-constexpr std::size_t numbers_of_point = 6;  // the fourth, an erosion length, may be null
+constexpr std::size_t numbers_of_point = 7;  // the fourth, an erosion length, may be null
 
 Json point_to_json(const LayerMaterial& point) {
   return Json::array({point.mu_true, point.alpha, point.erosion_strain, page::finite(point.erosion_length),
-                      point.laws.rate_exponent, point.laws.size_exponent});
+                      point.laws.rate_exponent, point.laws.size_exponent, point.laws.erosion_strain_below});
 }
 
 LayerMaterial point_of(const Json& json, LayerMaterial point) {
   if (!json.is_array() || json.size() != numbers_of_point) throw page::MissingKey("points");
-  const Json without_length = {json[0], json[1], json[2], json[4], json[5]};
+  const Json without_length = {json[0], json[1], json[2], json[4], json[5], json[6]};
   const auto row = row_of(without_length, numbers_of_point - 1, "points");
   point.mu_true = row[0];
   point.alpha = row[1];
@@ -106,6 +106,7 @@ LayerMaterial point_of(const Json& json, LayerMaterial point) {
   point.erosion_length = page::number(json[3]);
   point.laws.rate_exponent = row[3];
   point.laws.size_exponent = row[4];
+  point.laws.erosion_strain_below = row[5];
   if (!(point.mu_true > 0 && point.erosion_strain > 0 && point.erosion_length.value_or(1) > 0))
     throw page::MissingKey("points");
   return point;
@@ -118,6 +119,7 @@ Json material_to_json(const MaterialSample& material) {
           {"density_kg_m3", material.points.front().density},
           {"reference_rate_1_s", material.points.front().laws.reference_rate},
           {"reference_radius_m", material.points.front().laws.reference_radius},
+          {"cell_m", material.points.front().laws.cell},
           {"scatter", page::finite(material.scatter)},
           {"freedom", page::finite(material.freedom)},
           {"points", points}};
@@ -130,9 +132,11 @@ MaterialSample material_of(const Json& json) {
                           .freedom = wanted(json, "freedom")};
   const LayerMaterial common{.density = wanted(json, "density_kg_m3"),
                              .laws = {.reference_rate = wanted(json, "reference_rate_1_s"),
-                                      .reference_radius = wanted(json, "reference_radius_m")}};
+                                      .reference_radius = wanted(json, "reference_radius_m"),
+                                      .cell = wanted(json, "cell_m")}};
   for (const Json& point : list(json, "points")) material.points.push_back(point_of(point, common));
-  if (!(common.laws.reference_rate > 0 && common.laws.reference_radius > 0)) throw page::MissingKey("reference_rate_1_s");
+  if (!(common.laws.reference_rate > 0 && common.laws.reference_radius > 0))
+    throw page::MissingKey("reference_rate_1_s");
   if (material.points.empty() || !(common.density > 0 && material.scatter >= 0 && material.freedom >= 0))
     throw page::MissingKey("points");
   return material;

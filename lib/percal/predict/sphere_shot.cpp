@@ -39,6 +39,7 @@ double size_factor(const MaterialLaws& laws, double radius) {
 LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot) {
   LayerMaterial there = material;
   there.mu_true *= rate_factor(material.laws, shot.speed / shot.radius);
+  if (is_below_cell(material.laws, shot.radius)) there.erosion_strain = material.laws.erosion_strain_below;
   there.erosion_strain *= size_factor(material.laws, shot.radius);
   there.laws = {};
   return there;
@@ -79,11 +80,12 @@ ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& of_reference
   Eigen::Vector<double, sphere_inputs> by_log_pi4 = Eigen::Vector<double, sphere_inputs>::Zero();
   by_log_pi4[index_of(&SphereInputs::log_pi4)] = 1;
   by_log_pi4[index_of(&SphereInputs::log_bulk_ratio)] = slope;
-  enum { log_mu, alpha, erosion_strain, log_length, rate_exponent, size_exponent };
+  enum { log_mu, alpha, erosion_strain, log_length, rate_exponent, size_exponent, strain_below };
   inputs.by_material.setZero();
   inputs.by_material.col(log_mu) = -by_log_pi4;
   inputs.by_material(index_of(&SphereInputs::alpha), alpha) = 1;
-  inputs.by_material(index_of(&SphereInputs::erosion_strain), erosion_strain) = size_factor(laws, shot.radius);
+  const auto strain_met = is_below_cell(laws, shot.radius) ? strain_below : erosion_strain;
+  inputs.by_material(index_of(&SphereInputs::erosion_strain), strain_met) = size_factor(laws, shot.radius);
   if (in_radii) inputs.by_material(index_of(&SphereInputs::log_erosion_length), log_length) = 1;
   inputs.by_material.col(rate_exponent) = -by_log_pi4 * std::log(shot.speed / shot.radius / laws.reference_rate);
   inputs.by_material(index_of(&SphereInputs::erosion_strain), size_exponent) =

@@ -20,12 +20,14 @@ struct SphereShot {
 // "3.18 mm at 83 m/s".
 std::string words_of(const SphereShot& shot);
 
-// How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, the erosion strain by one of the radius.
-// Exponents of 0: they do not.                                                                 docs/theory/calibration.md (3a), (3b)
+// How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, the erosion strain by one of the radius, or
+// by whether the sphere is smaller than a cell. Exponents and a cell of 0: they do not.     docs/theory/calibration.md (3a) to (3c)
 struct MaterialLaws {
   double rate_exponent = 0, reference_rate = 1;    // 1/s
   double size_exponent = 0, reference_radius = 1;  // m
+  double cell = 0, erosion_strain_below = 0;       // m: spheres of a smaller diameter erode it at this strain
 };
+inline bool is_below_cell(const MaterialLaws& laws, double radius) { return 2 * radius < laws.cell; }
 
 // The numbers of the layer's material; of one with laws at the reference rate and radius.
 struct LayerMaterial {
@@ -54,8 +56,8 @@ Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& ma
 // differentiated. With their derivatives.
 struct ShotInputs {
   SphereInputs at;
-  // ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent
-  Eigen::Matrix<double, sphere_inputs, 6> by_material;
+  // ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent, erosion strain below a cell
+  Eigen::Matrix<double, sphere_inputs, 7> by_material;
   Eigen::Vector<double, sphere_inputs> by_log_speed;
 };
 ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& material);

@@ -158,6 +158,7 @@ std::set<int> parameters_of(const CalibrationMaterial& material) {
   if (material.erosion_length) add_index(indices, *material.erosion_length);
   add_index(indices, material.rate_exponent);
   add_index(indices, material.size_exponent);
+  add_index(indices, material.erosion_strain_below);
   return indices;
 }
 
@@ -187,7 +188,8 @@ void check_parameters(const TomlTable& root, const CalibrationJob& job) {
     if (!with_data.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no fitted datum depends on",
-                  "a fitted shot of its material (for mu, alpha and a rate exponent a curve will do), or a value in its place");
+                  "a fitted shot of its material (for mu, alpha and a rate exponent a curve will do), or a value in "
+                  "its place");
   }
 }
 

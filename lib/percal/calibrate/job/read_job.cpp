@@ -55,14 +55,15 @@ const Range elements_in_length{.low = 1 / largest_element_in_length,
 
 const std::vector<std::string> kind_words{"modulus",        "exponent",      "erosion strain",
                                           "erosion length", "rate exponent", "size exponent"};  // as ParameterKind
-constexpr double smallest_exponent = 1e-3;                    // the solver divides by it
+constexpr double smallest_exponent = 1e-3;  // the solver divides by it
 
 Range range_of(ParameterKind kind) {
   if (kind == ParameterKind::modulus) return positive("modulus");
   if (kind == ParameterKind::erosion_strain) return positive("strain");
   if (kind == ParameterKind::erosion_length) return positive("length");
   if (kind == ParameterKind::rate_exponent) return {.low = -1, .high = 1, .words = "a power of the rate from -1 to 1"};
-  if (kind == ParameterKind::size_exponent) return {.low = -2, .high = 2, .words = "a power of the radius from -2 to 2"};
+  if (kind == ParameterKind::size_exponent)
+    return {.low = -2, .high = 2, .words = "a power of the radius from -2 to 2"};
   return {.low = -100, .high = 100, .words = "an exponent from -100 to 100"};
 }
 
@@ -97,8 +98,8 @@ CalibrationParameter parameter_from(const TomlTable& block, const std::string& n
   FreeParameter& free = parameter.free;
   free.name = name;
   free.unit = kind == ParameterKind::modulus ? "Pa" : kind == ParameterKind::erosion_length ? "m" : "";
-  free.logarithmic = kind == ParameterKind::modulus || kind == ParameterKind::erosion_strain ||
-                     kind == ParameterKind::erosion_length;
+  free.logarithmic =
+      kind == ParameterKind::modulus || kind == ParameterKind::erosion_strain || kind == ParameterKind::erosion_length;
   free.low = block.quantity("low", dimension_of(kind), range_of(kind));
   free.high = block.quantity("high", dimension_of(kind), range_of(kind));
   check_bounds(block, kind, free);
@@ -172,7 +173,7 @@ std::optional<MaterialNumber> erosion_length_from(const TomlTable& block, const 
   return number_from(block, "erosion_length", job, ParameterKind::erosion_length);
 }
 
-// An exponent with what its power is of: both keys or none.
+// A law's number with what it refers to: both keys or none.
 struct LawKeys {
   std::string exponent, reference;
 };
@@ -185,7 +186,7 @@ void read_law(const TomlTable& block, const LawKeys& keys, ParameterKind kind, c
     if (given) block.refuse(keys.reference, "this without " + keys.exponent, "both or none");
     return;
   }
-  if (!given) block.refuse(keys.reference, "no such key beside " + keys.exponent, "what mu or the erosion strain is given at");
+  if (!given) block.refuse(keys.reference, "no such key beside " + keys.exponent, "what it refers to");
   exponent = number_from(block, keys.exponent, job, kind);
   reference = *given;
 }
@@ -205,6 +206,8 @@ CalibrationMaterial material_from(const TomlTable& block, const std::string& nam
            material.rate_exponent, material.reference_rate);
   read_law(block, {"size_exponent", "reference_radius"}, ParameterKind::size_exponent, dimension::length, job,
            material.size_exponent, material.reference_radius);
+  read_law(block, {"erosion_strain_below", "cell"}, ParameterKind::erosion_strain, dimension::length, job,
+           material.erosion_strain_below, material.cell);
   if (!material.rate_factor && block.has("rate_factor_error"))
     block.refuse("rate_factor", "no such key beside rate_factor_error", "the factor");
   return material;
