@@ -8,7 +8,8 @@
 namespace percal {
 namespace {
 
-constexpr double jump = 0.5;      // of the largest strain, in one row: a new curve begins
+constexpr double jump = 0.5;      // of the largest strain, back in one row: a new curve begins
+constexpr double at_rest = 0.1;   // of the strain that a curve has reached, after one row: likewise
 constexpr double relaxed = 0.05;  // of the largest stress, lost while the stretch is held
 
 double mean_stress(const Followed& test, std::size_t from, std::size_t to) {
@@ -50,7 +51,8 @@ std::vector<Branch> branches_of(const Followed& test) {
     const double step = (up ? 1 : -1) * (test.points[i].strain - test.points[extreme].strain);
     if (step >= 0) extreme = i;
     if (step > -turning * test.longest) continue;
-    const bool restart = up && i == extreme + 1 && -step > jump * test.longest;
+    const bool restart = up && i == extreme + 1 &&
+                         (-step > jump * test.longest || test.points[i].strain < at_rest * test.points[extreme].strain);
     close();
     if (restart)
       begin = i, anew = true;
