@@ -17,8 +17,10 @@ Section taken_section(const Json& result) {
 
 Section peaks_section(const Json& result) {
   Section section{.id = "peaks", .title = "Where the curves peak", .blocks = {}, .detail = Detail::answer};
-  Table table{
-      .caption = "", .rows = {{"curve", "stretch or shear", "stress", "behind it", "as erosion strain"}}, .notes = {}};
+  Table table{.caption = "",
+              .rows = {{"curve", "peak at", "stress", "then", "strain"}},
+              .notes = {"Peak at: stretch, in shear gamma. Strain: the largest principal one at the peak, as an "
+                        "erosion strain is counted."}};
   for (const Json& source : list(result, "sources"))
     for (const Json& peak : maybe(source, "peaks")) {
       const std::string end = text(peak, "end");
