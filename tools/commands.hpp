@@ -26,14 +26,16 @@ struct FitArguments {
   std::vector<std::string> files;  // or WORD=FILE, with the deformation of that file
   std::vector<std::string> mode;   // WORD of all files, WORD=FILE of one; empty: from the `mode` column
   std::string model = "ogden";
-  std::string residual = "relative";  // relative, absolute, error
-  std::string weights = "points";     // points, tests, NAME=NUMBER,...
-  std::string loss = "squares";       // squares, huber, cauchy
-  bool unconstrained = false;         // single moduli may be negative
-  bool compare = false;               // all models
-  std::string stable = "0.1:10";      // stretches over which stability is looked at
-  std::string x, y, error;            // columns; empty: found by their names
-  std::vector<std::string> where;     // COLUMN=VALUE
+  std::string residual = "relative";                                    // relative, absolute, error
+  std::string weights = "points";                                       // points, tests, NAME=NUMBER,...
+  std::string loss = "squares";                                         // squares, huber, cauchy
+  bool unconstrained = false;                                           // single moduli may be negative
+  bool compare = false;                                                 // all models
+  std::string stable = "0.1:10";                                        // stretches over which stability is looked at
+  std::string x, y, error;                                              // columns; empty: found by their names
+  std::vector<std::string> where;                                       // COLUMN=VALUE
+  std::string gauge_length, area, width, thickness, specimen_diameter;  // of the specimen of force and displacement
+  std::string branch, until, without;                                   // loading, unloading or a number; peak; holds
   bool intervals = true;
   double level = 0.95;
   int bootstrap = 0;         // replicates; 0: none

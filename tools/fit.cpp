@@ -13,6 +13,7 @@
 #include "percal/fit/findings.hpp"
 #include "percal/fit/page/fit_json.hpp"
 #include "percal/fit/page/page.hpp"
+#include "percal/text/one_value.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -90,12 +91,42 @@ void read_files(const FitArguments& arguments, FitRequest& request) {
   if (request.files.empty()) throw BadInput({"", 0, "files"}, "none", "one CSV file or more");
 }
 
+Specimen specimen_in(const FitArguments& arguments) {
+  const auto size = [](const std::string& text, const char* option, const Dimension& dimension) {
+    return optional_quantity(text, option, dimension, positive(name_of(dimension)));
+  };
+  return percal::specimen_of(
+      {.gauge_length = size(arguments.gauge_length, "--gauge-length", dimension::length),
+       .area = size(arguments.area, "--area", dimension::area),
+       .width = size(arguments.width, "--width", dimension::length),
+       .thickness = size(arguments.thickness, "--thickness", dimension::length),
+       .specimen_diameter = size(arguments.specimen_diameter, "--specimen-diameter", dimension::length)},
+      [](std::string key, const std::string& found, const std::string& accepted) {
+        std::replace(key.begin(), key.end(), '_', '-');
+        throw BadInput({"", 0, "--" + key}, found, accepted);
+      });
+}
+
+RowChoice rows_of(const FitArguments& arguments) {
+  RowChoice rows{.until = arguments.until.empty() ? CurveEnd::last_row : CurveEnd::peak,
+                 .holds = arguments.without.empty() ? Holds::kept : Holds::left_out};
+  if (arguments.branch.empty()) return rows;
+  const auto branch = branch_choice_of(arguments.branch);
+  if (!branch) throw BadInput({"", 0, "--branch"}, in_quotes(arguments.branch), branch_words);
+  rows.branch = *branch;
+  return rows;
+}
+
 FitRequest request_of(const FitArguments& arguments) {
-  FitRequest request{
-      .files = {},
-      .columns = {.x = arguments.x, .y = arguments.y, .error = arguments.error, .where = arguments.where},
-      .stretches = stretches_of(arguments.stable),
-      .compare = arguments.compare};
+  FitRequest request{.files = {},
+                     .columns = {.x = arguments.x,
+                                 .y = arguments.y,
+                                 .error = arguments.error,
+                                 .where = arguments.where,
+                                 .specimen = specimen_in(arguments),
+                                 .rows = rows_of(arguments)},
+                     .stretches = stretches_of(arguments.stable),
+                     .compare = arguments.compare};
   read_files(arguments, request);
   CurveOptions& options = request.options;
   options.model = *model_of(arguments.model);

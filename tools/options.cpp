@@ -234,6 +234,18 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
                    "keep the rows with COLUMN=VALUE, or with !=, <, <=, >, >= such as \"stretch<3\" (may be given "
                    "several times)")
       ->allow_extra_args(false);
+  command->add_option("--gauge-length", fit.gauge_length,
+                      "x is a displacement, over this length (the height in simple shear), as \"10 mm\"");
+  command->add_option("--area", fit.area, "y is a force, over this cross-section before the test, as \"78.5 mm2\"");
+  command->add_option("--specimen-diameter", fit.specimen_diameter, "in its place, of a round specimen");
+  command->add_option("--width", fit.width, "in its place, with --thickness");
+  command->add_option("--thickness", fit.thickness, "in its place, with --width");
+  command->add_option("--branch", fit.branch,
+                      "of cycles: loading, unloading, or the number of one branch, 1 the first");
+  command->add_option("--until", fit.until, "peak: each curve up to its largest stress")
+      ->check(CLI::IsMember({"peak"}));
+  command->add_option("--without", fit.without, "holds: no rows in which the stress relaxes at a held stretch")
+      ->check(CLI::IsMember({"holds"}));
   command->add_flag("--intervals,!--no-intervals", fit.intervals,
                     "profile-likelihood intervals of every parameter (default: yes)");
   command->add_option("--level", fit.level, "confidence level of the intervals (default: 0.95)")
@@ -250,6 +262,7 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   command->footer(
       "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
       "          percal fit data/public/treloar1944_rubber_primary.csv --compare --weights tests\n"
+      "          percal fit machine.csv --mode compression --gauge-length 10mm --specimen-diameter 12mm\n"
       "          percal fit uniaxial=tension.csv planar=shear.csv --where \"stretch<3\"\n"
       "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
       "data/synthetic/gelatin_12wt_highrate.csv");
@@ -268,7 +281,9 @@ void add_scale(CLI::App& app, ScaleArguments& scale, Common& common, std::vector
 
 void add_card_write(CLI::App& card_command, CardArguments& card, Common& common, std::vector<Command>& commands) {
   auto* command = card_command.add_subcommand("write", "write the card of a result");
-  command->add_option("result", card.result, "result.json of identify, calibrate or fit, or its folder; or of card read --json")
+  command
+      ->add_option("result", card.result,
+                   "result.json of identify, calibrate or fit, or its folder; or of card read --json")
       ->required();
   auto targets = solver_words();
   auto* solver = command->add_option("--solver", card.solver, listed(targets) + ", or csv for a table")->required();
@@ -426,6 +441,9 @@ void name_values(CLI::App& app) {
       {{"--x", "--y", "--error", "--rate-column"}, "COLUMN"},
       {{"--where"}, "COLUMN=VALUE"},
       {{"--stable"}, "LOW:HIGH"},
+      {{"--gauge-length", "--specimen-diameter", "--width", "--thickness"}, "LENGTH"},
+      {{"--area"}, "AREA"},
+      {{"--branch"}, "BRANCH"},
       {{"--accuracy"}, "PERCENT"},
       {{"--budget"}, "TIME"}};
   for (CLI::App* command : app.get_subcommands({})) name_values(*command);

@@ -62,6 +62,9 @@ class HowTo : public test::Program {
 TEST_F(HowTo, MyOwnCsv) {
   follow("own_csv.md");
   EXPECT_TRUE(fs::exists(path("mine.html")));
+  const auto power = result("muscle.out/result.json")["hypotheses"][0]["parameters"][2];
+  EXPECT_EQ(power["name"], "rate_power");
+  EXPECT_NEAR(power["value"].get<double>(), 0.169, 0.001);
 }
 
 TEST_F(HowTo, MyOwnParticle) { follow("own_particle.md"); }

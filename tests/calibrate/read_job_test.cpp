@@ -148,6 +148,31 @@ TEST_F(ReadCalibrationJob, WhatACurveContradictsIsTheFirstFinding) {
   EXPECT_THAT(overall_findings(read_job(), {}), testing::Not(testing::Contains(HasSubstr("curve.csv"))));
 }
 
+TEST_F(ReadCalibrationJob, ACurveMayBeForceAndDisplacementUpToItsPeak) {
+  write("curve.csv", "Extension (mm),Load (N)\n0,0\n1,1\n2,2\n3,3\n4,4\n5,5\n6,6\n7,4\n8,2\n");
+  const std::string sizes = "gauge_length = \"10 mm\"\narea = \"50 mm2\"\nuntil = \"peak\"";
+  const auto with = [](const std::string& keys) {
+    return std::vector<std::pair<std::string, std::string>>{
+        {"where = [\"test=a\"]\nx = \"stretch\"\ny = \"stress\"", keys}};
+  };
+  const auto refusal = [&](const std::string& keys) {
+    try {
+      read_job(with(keys));
+    } catch (const BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  const auto job = read_job(with(sizes));
+  ASSERT_EQ(job.curves[0].data.points.size(), 7u);
+  EXPECT_DOUBLE_EQ(job.curves[0].data.points[6].strained.amount, 1.6);
+  EXPECT_DOUBLE_EQ(job.curves[0].data.points[6].nominal_stress, 6 / 50e-6);
+  EXPECT_THAT(overall_findings(job, {}), testing::Contains(HasSubstr("stretch = 1 + Extension/10 mm")));
+  EXPECT_THAT(refusal(sizes + "\nwidth = \"1 mm\""), HasSubstr("curves[1].width: found a width beside an area"));
+  EXPECT_THAT(refusal("branch = \"up\""), HasSubstr("curves[1].branch: found \"up\""));
+  EXPECT_THAT(refusal("without = \"peaks\""), HasSubstr("accepted: \"holds\""));
+}
+
 TEST_F(ReadCalibrationJob, HypothesesHoldNumbersAndMakeChoices) {
   const auto job = read_job();
   ASSERT_EQ(job.hypotheses.size(), 2u);

@@ -285,7 +285,8 @@ std::vector<std::string> overall_findings(const CalibrationJob& job, const Calib
   std::vector<std::string> sentences;
   for (const auto& curve : job.curves)
     for (const auto& source : curve.data.sources)
-      sentences.insert(sentences.end(), source.warnings.begin(), source.warnings.end());
+      for (const auto& said : {source.warnings, source.taken})
+        sentences.insert(sentences.end(), said.begin(), said.end());
   if (job.solver.contact_stiffness_was_given) sentences.push_back(std::string(contact_stiffness_warning) + ".");
   held_against_free(job, result, sentences);
   spread_over_hypotheses(job, result, sentences);

@@ -35,6 +35,26 @@ bool may_be_x(const std::string& name) {
          !may_be_y(name) && !is_scatter(name);
 }
 
+// As testing machines name them.
+bool may_be_force(const std::string& name) {
+  return (name == "f" || contains_any(name, {"force", "load"})) && !is_scatter(name) &&
+         !contains_any(name, {"rate", "speed", "loading", "time"});
+}
+
+bool may_be_displacement(const std::string& name) {
+  return (name == "disp" || name == "stroke" ||
+          contains_any(name, {"displacement", "extension", "elongation", "deflection", "travel", "crosshead"})) &&
+         !is_scatter(name) && !contains_any(name, {"rate", "speed", "velocity", "strain", "time"});
+}
+
+bool has_dimension(const CsvColumn& column, const Dimension& dimension) {
+  try {
+    return column_unit(column.unit).dimension == dimension;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 std::string headers(const CsvTable& table, bool (*wanted)(const std::string&) = nullptr) {
   std::string text;
   for (const auto& column : table.columns)
@@ -43,20 +63,27 @@ std::string headers(const CsvTable& table, bool (*wanted)(const std::string&) = 
   return text;
 }
 
-// The one column that `wanted` holds for.
-int single(const CsvTable& table, bool (*wanted)(const std::string&), const char* option, const char* meaning) {
+// The one column that `wanted` holds for; of several the one with a unit of this dimension.
+int single(const CsvTable& table, bool (*wanted)(const std::string&), const char* option, const char* meaning,
+           const std::optional<Dimension>& dimension = {}) {
   std::vector<int> found;
   for (int i = 0; i < static_cast<int>(table.columns.size()); ++i)
     if (wanted(lower_case(table.columns[i].name))) found.push_back(i);
   const Place place{table.file, table.header_line, ""};
+  if (found.size() > 1 && dimension) {
+    std::vector<int> of_dimension;
+    for (const int i : found)
+      if (has_dimension(table.columns[i], *dimension)) of_dimension.push_back(i);
+    if (of_dimension.size() == 1) return of_dimension[0];
+  }
   if (found.size() > 1)
     throw BadInput(place, fmt::format("several columns of {}: {}", meaning, headers(table, wanted)),
                    fmt::format("one of them, chosen with {}", option));
   if (!found.empty()) return found[0];
   const std::string names = lower_case(headers(table));
   const bool depths = contains_any(names, {"depth", "penetration"});
-  const bool machine =
-      contains_any(names, {"force", "load", "displacement", "extension", "elongation", "deflection", "travel"});
+  const bool machine = !dimension && contains_any(names, {"force", "load", "displacement", "extension", "elongation",
+                                                          "deflection", "travel"});
   throw BadInput(
       place,
       fmt::format("no stress-stretch curve{}: no column of {} among {}",
@@ -64,23 +91,15 @@ int single(const CsvTable& table, bool (*wanted)(const std::string&), const char
       fmt::format("a column of {}, or the column's name with {}{}", meaning, option,
                   machine
                       ? "; of force and displacement make stretch = 1 + displacement/(length between the grips) and "
-                        "nominal stress = force/(cross-section before the test)"
+                        "nominal stress = force/(cross-section before the test), or say these (--gauge-length, --area)"
                       : ""));
 }
 
-bool is_pressure(const CsvColumn& column) {
-  try {
-    return column_unit(column.unit).dimension == dimension::pressure;
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-}
-
-std::optional<int> error_column(const CsvTable& table, int y) {
+std::optional<int> error_column(const CsvTable& table, int y, const Dimension& dimension) {
   std::vector<int> all, of_y;
   for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
     const CsvColumn& column = table.columns[i];
-    if (i == y || !is_scatter(lower_case(column.name)) || !is_pressure(column)) continue;
+    if (i == y || !is_scatter(lower_case(column.name)) || !has_dimension(column, dimension)) continue;
     all.push_back(i);
     if (lower_case(column.name).starts_with(lower_case(table.columns[y].name) + "_")) of_y.push_back(i);
   }
@@ -94,13 +113,40 @@ FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
   FoundColumns found{};
   constexpr const char* x_meaning = "stretch, strain or shear";
   constexpr const char* y_meaning = "stress (a name with stress, sigma or cauchy)";
-  found.y = wanted.y.empty() ? single(table, may_be_y, "--y", y_meaning) : table.column(wanted.y);
-  found.x = wanted.x.empty() ? single(table, may_be_x, "--x", x_meaning) : table.column(wanted.x);
-  found.y_words = stress_words(table, found.y);
-  found.x_words = abscissa_words(table, found.x);
+  constexpr const char* force_meaning = "force (a name with force or load)";
+  constexpr const char* displacement_meaning =
+      "displacement (a name with displacement, extension, crosshead or travel)";
+  const auto& [gauge_length, area] = wanted.specimen;
+  if (!wanted.y.empty())
+    found.y = table.column(wanted.y);
+  else if (area)
+    found.y = single(table, may_be_force, "--y", force_meaning, dimension::force);
+  else
+    found.y = single(table, may_be_y, "--y", y_meaning);
+  if (!wanted.x.empty())
+    found.x = table.column(wanted.x);
+  else if (gauge_length)
+    found.x = single(table, may_be_displacement, "--x", displacement_meaning, dimension::length);
+  else
+    found.x = single(table, may_be_x, "--x", x_meaning);
+  if (area) {
+    found.y_words = {StressMeasure::nominal, says_compressive(table.columns[found.y])};
+    found.y_dimension = dimension::force;
+    found.y_over = *area;
+  } else {
+    found.y_words = stress_words(table, found.y);
+  }
+  if (gauge_length) {
+    found.x_words = {Abscissa::engineering_strain, 1, says_compressive(table.columns[found.x])};
+    found.x_dimension = dimension::length;
+    found.x_over = *gauge_length;
+  } else {
+    found.x_words = abscissa_words(table, found.x);
+    found.x_over = 1 / found.x_words.size;  // a division by 100 rounds better than a product with 0.01
+  }
   for (const char* name : {"mode", "deformation"})
     if (!found.mode) found.mode = table.find(name);
-  found.error = wanted.error.empty() ? error_column(table, found.y) : table.column(wanted.error);
+  found.error = wanted.error.empty() ? error_column(table, found.y, found.y_dimension) : table.column(wanted.error);
   return found;
 }
 

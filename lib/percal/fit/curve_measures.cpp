@@ -216,6 +216,8 @@ AbscissaWords abscissa_words(const CsvTable& table, int column) {
   return found;
 }
 
+bool says_compressive(const CsvColumn& column) { return is_compressive(words_of_header(column.name)); }
+
 std::string word(StressMeasure measure) {
   switch (measure) {
     case StressMeasure::cauchy: return "cauchy";

@@ -36,6 +36,9 @@ struct AbscissaWords {
 StressWords stress_words(const CsvTable& table, int column);
 AbscissaWords abscissa_words(const CsvTable& table, int column);
 
+// Whether a word of the header says that compression is measured, and none tension.
+bool says_compressive(const CsvColumn& column);
+
 // "strainPercent", "Second Piola-Kirchhoff" -> the words in small letters.
 std::vector<std::string> words_of_header(const std::string& name);
 

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
+#include <variant>
 
+#include "percal/fit/curve_branches.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/text/csv_cells.hpp"
 #include "percal/units/words.hpp"
@@ -15,79 +16,12 @@
 namespace percal {
 namespace {
 
-constexpr double turning = 0.05;       // of the largest strain: a smaller way back is noise
-constexpr double jump = 0.5;           // of it, in one row: a new curve begins
-constexpr double standing = 1e-3;      // of it: the stretch is held
-constexpr double relaxed = 0.05;       // of the largest stress, lost while the stretch is held
-constexpr double fallen = 0.9;         // of the largest stress, at the end
 constexpr double offset_share = 0.02;  // of the largest stress, at stretch 1
 constexpr double toe_end = 0.25;       // of the largest strain
 constexpr double toe_kink = 10;        // times as steep behind the toe as in it
 constexpr double toe_slope = 0.3;      // of the whole curve's, at least, behind it
 constexpr double toe_noise = 4;        // standard deviations of one stress that the toe lacks, at least
-constexpr std::size_t fewest = 8;      // points to tell a shape from
 constexpr std::size_t coarse = 64;  // means that a toe is looked for in, of a log with more than twice as many points
-
-// A point as it is met along a test: how far from rest, and the stress in that direction.
-struct Met {
-  double strain, stress;
-  std::size_t row;
-};
-
-struct Followed {
-  std::string name;
-  std::vector<Met> points;
-  double longest = 0, largest = 0;  // strain, stress
-};
-
-std::vector<Followed> followed(const std::vector<StressPoint>& points) {
-  std::map<std::pair<Deformation, bool>, Followed> tests;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& [deformation, amount, across] = points[i].strained;
-    if (deformation == Deformation::biaxial) continue;
-    const bool shear = deformation == Deformation::simple_shear, back = amount < (shear ? 0 : 1);
-    Followed& test = tests[{deformation, back}];
-    test.name = word(deformation) + (shear ? "" : back ? " compression" : " tension");
-    test.points.push_back({std::abs(amount - (shear ? 0 : 1)), (back ? -1 : 1) * points[i].nominal_stress, i});
-    test.longest = std::max(test.longest, test.points.back().strain);
-    test.largest = std::max(test.largest, std::abs(test.points.back().stress));
-  }
-  std::vector<Followed> all;
-  for (auto& [key, test] : tests)
-    if (test.points.size() >= fewest) all.push_back(std::move(test));
-  return all;
-}
-
-struct Branches {
-  int loading = 0, unloading = 0, restarts = 0;
-  std::size_t first_end = 0;  // index of the last point of the first branch
-};
-
-Branches branches_of(const Followed& test) {
-  Branches found;
-  bool up = true;
-  std::size_t begin = 0, extreme = 0;
-  const auto close = [&] {
-    if (extreme > begin) ++(up ? found.loading : found.unloading);
-    if (found.first_end == 0) found.first_end = extreme;
-    begin = extreme;
-  };
-  for (std::size_t i = 1; i < test.points.size(); ++i) {
-    const double step = (up ? 1 : -1) * (test.points[i].strain - test.points[extreme].strain);
-    if (step >= 0) extreme = i;
-    if (step > -turning * test.longest) continue;
-    const bool restart = up && i == extreme + 1 && -step > jump * test.longest;
-    close();
-    found.restarts += restart;
-    if (restart)
-      begin = i;
-    else
-      up = !up;
-    extreme = i;
-  }
-  close();
-  return found;
-}
 
 std::string of_test(const CsvTable& table, const Followed& test) { return table.file + ": " + test.name + ": "; }
 
@@ -108,71 +42,48 @@ std::string stretch_of(const CsvTable& table, const FoundColumns& found, const M
   return x.name + " " + table.cell(table.rows[point.row], found.x) + (x.unit.empty() ? "" : " " + x.unit);
 }
 
-void runs_back(const CsvTable& table, const Followed& test, const Branches& found,
+void runs_back(const CsvTable& table, const Followed& test, const std::vector<Branch>& branches,
                std::vector<std::string>& sentences) {
-  const int all = found.loading + found.unloading;
-  if (all < 2 || static_cast<std::size_t>(all) * 4 > test.points.size()) return;  // in no order at all
-  if (found.unloading > 0)
+  const std::size_t all = branches.size();
+  if (all < 2 || all * 4 > test.points.size()) return;  // in no order at all
+  const auto loading = std::count_if(branches.begin(), branches.end(), [](const Branch& b) { return b.loading; });
+  const auto restarts = std::count_if(branches.begin(), branches.end(), [](const Branch& b) { return b.anew; });
+  if (static_cast<std::size_t>(loading) < all)
     sentences.push_back(
         of_test(table, test) +
         fmt::format("the stretch runs back: {} branches, {} of loading and {} of unloading, are taken as one "
-                    "curve; an elastic solid has one: keep one branch with --where.",
-                    all, found.loading, found.unloading));
+                    "curve; an elastic solid has one: --branch loading, unloading or a number keeps what is meant.",
+                    all, loading, all - static_cast<std::size_t>(loading)));
   else
     sentences.push_back(of_test(table, test) +
                         fmt::format("the stretch starts anew {} time{}: {} curves in one file are taken as "
                                     "one solid's; --where keeps one.",
-                                    found.restarts, found.restarts == 1 ? "" : "s", all));
+                                    restarts, restarts == 1 ? "" : "s", all));
 }
 
 void holds(const CsvTable& table, const FoundColumns& found, const Followed& test,
            std::vector<std::string>& sentences) {
-  int count = 0;
-  std::size_t first = 0, last = 0;
-  for (std::size_t i = 0; i < test.points.size();) {
-    std::size_t end = i;
-    while (end + 1 < test.points.size() &&
-           std::abs(test.points[end + 1].strain - test.points[i].strain) <= standing * test.longest)
-      ++end;
-    if (end >= i + 3 && test.points[i].stress - test.points[end].stress > relaxed * test.largest &&
-        test.points[i].stress > 0) {
-      if (count++ == 0) first = i, last = end;
-    }
-    i = end + 1;
-  }
-  if (count == 0) return;
-  sentences.push_back(
-      of_test(table, test) +
-      fmt::format("{} hold{}: the stress falls from {} to {} at the constant {} (lines {} to {}): relaxation, "
-                  "which no elastic solid has; leave such rows out.",
-                  count, count == 1 ? "" : "s", page::quantity(test.points[first].stress, dimension::pressure),
-                  page::quantity(test.points[last].stress, dimension::pressure),
-                  stretch_of(table, found, test.points[first]), table.rows[test.points[first].row].line,
-                  table.rows[test.points[last].row].line));
-}
-
-double mean_stress(const Followed& test, std::size_t from, std::size_t to) {
-  double sum = 0;
-  for (std::size_t i = from; i <= to; ++i) sum += test.points[i].stress;
-  return sum / static_cast<double>(to - from + 1);
+  const std::vector<HeldRows> all = holds_of(test);
+  if (all.empty()) return;
+  const Met &first = test.points[all[0].begin], &last = test.points[all[0].end];
+  sentences.push_back(of_test(table, test) +
+                      fmt::format("{}: the stress falls from {} to {} at the constant {} (lines {} to {}): relaxation, "
+                                  "which no elastic solid has; --without holds leaves such rows out.",
+                                  page::counted(static_cast<long>(all.size()), "hold"),
+                                  page::quantity(first.stress, dimension::pressure),
+                                  page::quantity(last.stress, dimension::pressure), stretch_of(table, found, first),
+                                  table.rows[first.row].line, table.rows[last.row].line));
 }
 
 void peak(const CsvTable& table, const FoundColumns& found, const Followed& test, std::vector<std::string>& sentences) {
-  const std::size_t n = test.points.size(), few = std::max<std::size_t>(1, n / 50);
-  const auto top =
-      static_cast<std::size_t>(std::max_element(test.points.begin(), test.points.end(),
-                                                [](const Met& a, const Met& b) { return a.stress < b.stress; }) -
-                               test.points.begin());
-  if (top + 1 >= n) return;
-  const double highest = mean_stress(test, top - std::min(top, few), std::min(top + few, n - 1)),
-               last = mean_stress(test, n - 1 - few, n - 1);
-  if (test.points[top].strain > 0.98 * test.longest || !(last < fallen * highest)) return;
+  const Top top = top_of(test, 0, test.points.size() - 1);
+  if (test.points[top.at].strain > 0.98 * test.longest || !(top.fallen_to < fallen)) return;
   sentences.push_back(
       of_test(table, test) +
       fmt::format("the stress peaks at {} and falls to {:.0f} % of that: a falling branch (failure, slip or "
-                  "damage), which no elastic solid has; {} keeps what is before it.",
-                  stretch_of(table, found, test.points[top]), 100 * last / highest,
-                  rows_kept(table, found, test.points[top], test.points[n - 1], Keep::up_to)));
+                  "damage), which no elastic solid has; --until peak, or {}, keeps what is before it.",
+                  stretch_of(table, found, test.points[top.at]), 100 * top.fallen_to,
+                  rows_kept(table, found, test.points[top.at], test.points.back(), Keep::up_to)));
 }
 
 // Stress where there is no strain.
@@ -287,17 +198,17 @@ std::vector<std::string> several_materials(const CsvTable& table, const FoundCol
 }
 
 std::vector<std::string> shapes(const CsvTable& table, const FoundColumns& found,
-                                const std::vector<StressPoint>& points) {
+                                const std::vector<StressPoint>& points, const RowChoice& choice) {
   std::vector<std::string> sentences;
   for (const Followed& test : followed(points)) {
     if (!(test.longest > 0) || !(test.largest > 0)) continue;
-    const Branches branches = branches_of(test);
-    runs_back(table, test, branches, sentences);
-    holds(table, found, test, sentences);
-    if (branches.loading + branches.unloading == 1) peak(table, found, test, sentences);
+    const std::vector<Branch> branches = branches_of(test);
+    if (std::holds_alternative<AllBranches>(choice.branch)) runs_back(table, test, branches, sentences);
+    if (choice.holds == Holds::kept) holds(table, found, test, sentences);
+    if (choice.until == CurveEnd::last_row && branches.size() == 1) peak(table, found, test, sentences);
     offset(table, test, sentences);
-    if (branches.loading > 0 && branches.first_end >= fewest - 1)
-      toe(table, found, test, branches.first_end, sentences);
+    const bool loaded = std::any_of(branches.begin(), branches.end(), [](const Branch& b) { return b.loading; });
+    if (loaded && branches[0].end >= fewest_rows - 1) toe(table, found, test, branches[0].end, sentences);
   }
   return sentences;
 }

@@ -13,8 +13,8 @@ std::vector<std::string> several_materials(const CsvTable& table, const FoundCol
                                            const std::vector<Deformation>& modes);
 
 // Sentences on a stretch that runs back or starts anew, a stress that relaxes at a held stretch, a peak with a falling branch behind it,
-// an offset, a toe. Each deformation by itself, tension and compression apart, its points in the order of the rows: one for each row.
+// an offset, a toe; not on what the choice of rows settles. Each deformation by itself, tension and compression apart, its points in the order of the rows: one for each row.
 std::vector<std::string> shapes(const CsvTable& table, const FoundColumns& found,
-                                const std::vector<StressPoint>& points);
+                                const std::vector<StressPoint>& points, const RowChoice& choice);
 
 }  // namespace percal

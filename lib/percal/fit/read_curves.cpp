@@ -12,6 +12,7 @@
 #include "percal/fit/curve_shapes.hpp"
 #include "percal/fit/curve_warnings.hpp"
 #include "percal/fit/thin_curves.hpp"
+#include "percal/page/numbers.hpp"
 #include "percal/text/csv_cells.hpp"
 #include "percal/units/words.hpp"
 
@@ -92,10 +93,12 @@ std::vector<bool> compressed_rows(const CsvTable& table, const FoundColumns& fou
 }
 
 // Empty cells are no error known, no column none at all; a negative one is refused.
-std::vector<std::optional<double>> standard_errors(const CsvTable& table, std::optional<int> column) {
-  if (!column) return {};
-  const std::string& header = table.columns[*column].header;
-  const auto errors = table.optional_numbers(header, dimension::pressure);
+std::vector<std::optional<double>> standard_errors(const CsvTable& table, const FoundColumns& found) {
+  if (!found.error) return {};
+  const std::string& header = table.columns[*found.error].header;
+  auto errors = table.optional_numbers(header, found.y_dimension);
+  for (auto& error : errors)
+    if (error) *error /= found.y_over;
   LineFaults faults(table.file);
   for (std::size_t i = 0; i < errors.size(); ++i)
     if (errors[i] && *errors[i] < 0)
@@ -106,12 +109,38 @@ std::vector<std::optional<double>> standard_errors(const CsvTable& table, std::o
   return errors;
 }
 
-// A dimensionless column; percent becomes a share here, where it means a strain.
-std::vector<double> abscissae(const CsvTable& table, int column, double size) {
-  auto values = table.numbers(column, dimension::none);
-  const double parts = 1 / size;  // a division by 100 rounds better than a product with 0.01
-  for (double& value : values) value /= parts;
+// A column's numbers, each divided: percent becomes a share, a displacement a strain, a force a stress.
+std::vector<double> divided(const CsvTable& table, int column, const Dimension& dimension, double over) {
+  auto values = table.numbers(column, dimension);
+  for (double& value : values) value /= over;
   return values;
+}
+
+// Force and displacement are stress and strain where both act along one edge of a block.
+void refuse_geometry(const CsvTable& table, const std::vector<Deformation>& modes, const Specimen& specimen) {
+  if (!specimen.gauge_length && !specimen.area) return;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i] == Deformation::uniaxial || modes[i] == Deformation::planar || modes[i] == Deformation::simple_shear)
+      continue;
+    throw BadInput({table.file, table.rows[i].line, specimen.gauge_length ? "gauge length" : "cross-section"},
+                   word(modes[i]) + ", of which force and displacement alone do not tell stress and stretch",
+                   "uniaxial, planar or simple_shear; for others columns of stress and stretch");
+  }
+}
+
+// "machine.csv: stretch = 1 + Extension/10 mm, nominal stress = Load/78.54 mm2."
+std::vector<std::string> geometry_words(const CsvTable& table, const FoundColumns& found, const Specimen& specimen,
+                                        const std::vector<Deformation>& modes) {
+  const auto name = [&](int column) { return table.columns[static_cast<std::size_t>(column)].name; };
+  std::vector<std::string> words;
+  if (specimen.gauge_length)
+    words.push_back(fmt::format("{}{}/{}", modes[0] == Deformation::simple_shear ? "gamma = " : "stretch = 1 + ",
+                                name(found.x), page::length(*specimen.gauge_length)));
+  if (specimen.area)
+    words.push_back(
+        fmt::format("nominal stress = {}/{}", name(found.y), page::quantity(*specimen.area, dimension::area)));
+  if (words.empty()) return {};
+  return {table.file + ": " + listed(words) + "."};
 }
 
 // Runs the readings and joins the messages of those that fail, so that one message names every bad line of every
@@ -157,14 +186,15 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   std::vector<double> across;
   std::vector<std::optional<double>> errors;
   together({[&] { modes = deformations(table, found, words); },
-            [&] { numbers.x = abscissae(table, found.x, found.x_words.size); },
-            [&] { numbers.y = table.numbers(found.y, dimension::pressure); },
-            [&] { errors = standard_errors(table, found.error); },
+            [&] { numbers.x = divided(table, found.x, found.x_dimension, found.x_over); },
+            [&] { numbers.y = divided(table, found.y, found.y_dimension, found.y_over); },
+            [&] { errors = standard_errors(table, found); },
             [&] {
               if (found.mode || !general_biaxial(wanted.mode)) return;
               const int partner = partner_column(table, found.x);
-              across = abscissae(table, partner, abscissa_words(table, partner).size);
+              across = divided(table, partner, dimension::none, 1 / abscissa_words(table, partner).size);
             }});
+  refuse_geometry(table, modes, wanted.specimen);
 
   CurveData data;
   if (!table.passed_over.empty())
@@ -203,8 +233,9 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
   }
   faults.throw_if_any();
   const auto materials = several_materials(table, found, modes);
-  for (const auto& doubts : {implausible(table, found, x, data.points), materials,
-                             materials.empty() ? shapes(table, found, data.points) : std::vector<std::string>{}})
+  for (const auto& doubts :
+       {implausible(table, found, x, data.points), materials,
+        materials.empty() ? shapes(table, found, data.points, wanted.rows) : std::vector<std::string>{}})
     warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   data.sources.push_back({.file = table.file,
                           .x = x_column.header,
@@ -213,7 +244,10 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                           .stress = found.y_words.measure,
                           .mode_column = found.mode.has_value(),
                           .points = static_cast<int>(data.points.size()),
+                          .specimen = wanted.specimen,
+                          .taken = geometry_words(table, found, wanted.specimen, modes),
                           .warnings = warnings});
+  choose_rows(data, table, wanted.rows);
   thin(data);
   return data;
 }

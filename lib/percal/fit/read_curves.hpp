@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "percal/fit/curve_data.hpp"
+#include "percal/fit/row_choice.hpp"
 #include "percal/text/csv.hpp"
 
 namespace percal {
@@ -16,6 +17,8 @@ struct CurveColumns {
   std::string x = {}, y = {};                       // stretch, strain or shear; stress
   std::string error = {};                           // standard error of the stress
   std::vector<std::string> where = {};              // conditions of CsvTable::where: the rows to keep
+  Specimen specimen = {};                           // where x is a displacement, y a force
+  RowChoice rows = {};                              // branches, peaks and holds
 };
 
 // The points of all files together. Throws BadInput: no such column, several that could be meant, no row left, a

@@ -27,7 +27,7 @@ struct Unit {
   Scale scale;
 };
 
-constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
+using dimension::force;
 constexpr Dimension energy{.mass = 1, .length = 2, .time = -2};
 constexpr double pound = 0.45359237;                         // kg
 constexpr double pound_per_square_inch = 6894.757293168361;  // Pa: a pound * 9.80665 m/s2 / (0.0254 m)^2
@@ -57,6 +57,8 @@ constexpr std::array units{
     Unit{"ksi", {dimension::pressure, pound_per_square_inch, 3}},
     Unit{"N", {force, 1, 0}},                 Unit{"kN", {force, 1, 3}},
     Unit{"mN", {force, 1, -3}},               Unit{"uN", {force, 1, -6}},
+    Unit{"gf", {force, 980665, -8}},          Unit{"kgf", {force, 980665, -5}},
+    Unit{"lbf", {force, 4.4482216152605, 0}},
     Unit{"J", {energy, 1, 0}},                Unit{"kJ", {energy, 1, 3}},
     Unit{"mJ", {energy, 1, -3}},              Unit{"uJ", {energy, 1, -6}},
 };

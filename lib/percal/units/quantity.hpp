@@ -20,6 +20,7 @@ inline constexpr Dimension time{.time = 1};
 inline constexpr Dimension rate{.time = -1};
 inline constexpr Dimension speed{.length = 1, .time = -1};
 inline constexpr Dimension density{.mass = 1, .length = -3};
+inline constexpr Dimension force{.mass = 1, .length = 1, .time = -2};
 inline constexpr Dimension pressure{.mass = 1, .length = -1, .time = -2};
 inline constexpr Dimension impact_parameter{.mass = 1, .length = -1, .time = -1};  // density times speed times radius
 inline constexpr Dimension sectional_density{.mass = 1, .length = -2};  // mass over the area that faces the target

@@ -11,11 +11,45 @@
 namespace percal {
 namespace {
 
+Specimen specimen_from(const TomlTable& block) {
+  const auto size = [&](const char* key, const Dimension& dimension) {
+    return block.optional_quantity(key, dimension, positive(name_of(dimension)));
+  };
+  return specimen_of({.gauge_length = size("gauge_length", dimension::length),
+                      .area = size("area", dimension::area),
+                      .width = size("width", dimension::length),
+                      .thickness = size("thickness", dimension::length),
+                      .specimen_diameter = size("specimen_diameter", dimension::length)},
+                     [&](const std::string& key, const std::string& found, const std::string& accepted) {
+                       block.refuse(key, found, accepted);
+                     });
+}
+
+RowChoice rows_from(const TomlTable& block) {
+  RowChoice rows;
+  if (const auto text = block.optional_text("branch")) {
+    const auto branch = branch_choice_of(*text);
+    if (!branch) block.refuse("branch", in_quotes(*text), branch_words);
+    rows.branch = *branch;
+  }
+  for (const auto& [key, only] : {std::pair{"until", "peak"}, {"without", "holds"}}) {
+    const auto text = block.optional_text(key);
+    block.describe(key, {.kind = "word", .accepted = accepted_words({only}), .fallback = ""});
+    if (!text) continue;
+    if (*text != only) block.refuse(key, in_quotes(*text), in_quotes(only));
+    if (*text == "peak") rows.until = CurveEnd::peak;
+    if (*text == "holds") rows.holds = Holds::left_out;
+  }
+  return rows;
+}
+
 // The command's own messages speak of its options; here the keys are checked first.
 CurveColumns columns_from(const TomlTable& block, const CsvTable& table) {
   CurveColumns columns;
   for (const auto& [key, column] : {std::pair{"x", &columns.x}, std::pair{"y", &columns.y}})
     if (block.has(key)) *column = table.columns[column_index(block, key, table)].header;
+  columns.specimen = specimen_from(block);
+  columns.rows = rows_from(block);
   columns.mode = block.text("mode", "");
   const bool mode_column = table.find("mode").has_value();
   if (block.has("mode") && mode_column)

@@ -10,6 +10,7 @@
 #include "percal/fit/cards.hpp"
 #include "percal/fit/curve_measures.hpp"
 #include "percal/fit/findings.hpp"
+#include "percal/fit/peaks.hpp"
 #include "percal/fit/rulers.hpp"
 #include "percal/material/plausible.hpp"
 #include "percal/text/sha256.hpp"
@@ -32,6 +33,11 @@ std::string words_of(const Weighting& weighting) {
   return text.empty() ? "tests" : text;
 }
 
+Json to_json(const Specimen& specimen) {
+  if (!specimen.gauge_length && !specimen.area) return nullptr;
+  return {{"gauge_length_m", finite(specimen.gauge_length)}, {"area_m2", finite(specimen.area)}};
+}
+
 Json input_of(const FitRequest& request) {
   const CurveColumns& columns = request.columns;
   const CurveOptions& options = request.options;
@@ -50,11 +56,40 @@ Json input_of(const FitRequest& request) {
           {"y", columns.y},
           {"error", columns.error},
           {"where", columns.where},
+          {"specimen", to_json(columns.specimen)},
+          {"branch", word(columns.rows.branch)},
+          {"until", columns.rows.until == CurveEnd::peak ? "peak" : ""},
+          {"without", columns.rows.holds == Holds::left_out ? "holds" : ""},
           {"intervals", intervals.has_value()},
           {"level", intervals ? Json(intervals->level) : Json(nullptr)},
           {"bootstrap", intervals ? Json(intervals->bootstrap) : Json(nullptr)},
           {"rate_factor", request.rate_column.has_value()},
           {"rate_column", request.rate_column.value_or("")}};
+}
+
+Json to_json(const std::vector<CurvePeak>& peaks) {
+  Json all = Json::array();
+  for (const CurvePeak& peak : peaks)
+    all.push_back({{"test", peak.test},
+                   {"amount", peak.amount},
+                   {"stress_Pa", peak.stress},
+                   {"erosion_strain", peak.erosion_strain},
+                   {"fallen_to", peak.fallen_to},
+                   {"end", word(peak.end)},
+                   {"rows_behind", peak.rows_behind}});
+  return all;
+}
+
+Json to_json(const std::vector<CurveHold>& holds) {
+  Json all = Json::array();
+  for (const CurveHold& hold : holds)
+    all.push_back({{"test", hold.test},
+                   {"amount", hold.amount},
+                   {"stress_before_Pa", hold.stress_before},
+                   {"stress_after_Pa", hold.stress_after},
+                   {"relaxed_to", hold.stress_after / hold.stress_before},
+                   {"rows", hold.rows}});
+  return all;
 }
 
 Json to_json(const CurveSource& source) {
@@ -65,7 +100,18 @@ Json to_json(const CurveSource& source) {
           {"y", source.y},
           {"error", source.error.empty() ? Json(nullptr) : Json(source.error)},
           {"stress", word(source.stress)},
-          {"points", source.points}};
+          {"points", source.points},
+          {"specimen", to_json(source.specimen)},
+          {"peaks", to_json(source.peaks)},
+          {"holds", to_json(source.holds)},
+          {"taken", source.taken}};
+}
+
+// What the peaks say of the strain at which an element goes: next to nothing, so that the error is wide.
+Json erosion_prior(const std::vector<CurveSource>& sources) {
+  const auto prior = prior_of_peaks(sources);
+  if (!prior) return nullptr;
+  return {{"strain", prior->strain}, {"measure", "engineering"}, {"error", prior->error}, {"curves", prior->curves}};
 }
 
 // --- the points -----------------------------------------------------------------------------------------------------
@@ -346,6 +392,7 @@ Json fit_to_json(const FitRequest& request, const FinishedFit& found, const page
        {"comparison", models},
        {"cards", cards_to_json(fit_cards(data, fit, uncertainty.value_or(Uncertainty{}), request.columns.where))},
        {"rate_factor", nullptr},
+       {"erosion_prior", erosion_prior(data.sources)},
        {"data", points_of_tests(data, fit.tests)},
        {"findings", sentences},
        {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},

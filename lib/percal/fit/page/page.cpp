@@ -220,9 +220,9 @@ Page fit_page(const Json& result) {
   Page page{.title = "Fit of " + model_words(result) + " to " + file_words(result),
             .summary = summary_of(result),
             .sections = {}};
-  for (auto section : {warnings_section, result_section, findings_section, models_section, curves_section,
-                       parameters_section, minima_section, stability_section, solids_section, sources_section,
-                       left_out_points_section, provenance_section, input_section})
+  for (auto section : {warnings_section, result_section, taken_section, peaks_section, findings_section, models_section,
+                       curves_section, parameters_section, minima_section, stability_section, solids_section,
+                       sources_section, left_out_points_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }
@@ -232,6 +232,7 @@ Page read_page(const Json& read) {
   add(section, sources_table(read));
   Page page{.title = file_words(read), .summary = "", .sections = {}};
   add(page, warnings_section(read));
+  add(page, taken_section(read));
   add(page, section);
   return page;
 }

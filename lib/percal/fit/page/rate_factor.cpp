@@ -96,8 +96,8 @@ Page rate_factor_page(const Json& result) {
   page.summary =
       fmt::format("The stress at the high rate is {} times that at the low rate ({} interval {}).",
                   shown(number(factor, "value")), level_words(result), interval_words(factor, dimension::none));
-  for (auto section :
-       {warnings_section, factor_section, findings_section, pair_section, alone_section, provenance_section, input_section})
+  for (auto section : {warnings_section, factor_section, taken_section, findings_section, pair_section, alone_section,
+                       provenance_section, input_section})
     add(page, section(result));
   return page;
 }

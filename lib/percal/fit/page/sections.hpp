@@ -75,6 +75,10 @@ Section solids_section(const Json& result);  // of all models
 Section sources_section(const Json& result);
 Section left_out_points_section(const Json& result);
 
+// --- peaks.cpp
+Section taken_section(const Json& result);  // what was made of the files as the user asked; none without such an option
+Section peaks_section(const Json& result);  // where the curves are largest, and what that is worth as an erosion strain
+
 // --- rate_factor.cpp
 Page rate_factor_page(const Json& result);
 
