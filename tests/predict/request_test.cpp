@@ -82,6 +82,10 @@ TEST_F(Asked, AColumnStandsBeforeItsOption) {
   EXPECT_EQ(request.shots[0].label, "first");
   EXPECT_EQ(request.shots[1].label, "4 mm at 80 m/s");
   EXPECT_EQ(request.shots[1].radius, 2e-3);
+  EXPECT_TRUE(request.columns_passed_over.empty());
+  const PredictRequest misspelt =
+      ask({.speed = "80 m/s", .shots = file("m.csv", "diameter_mm,sped_m_s,day\n3,70,1\n")});
+  EXPECT_THAT(misspelt.columns_passed_over, testing::ElementsAre("sped_m_s", "day"));
   EXPECT_EQ(request.shots[1].speed, 80);
   EXPECT_THAT(refusal({.shots = file("u.csv", "speed_m_s\n80\n-3\n")}), HasSubstr("u.csv:3"));
 }

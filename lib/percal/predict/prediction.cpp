@@ -9,6 +9,7 @@
 #include "percal/page/numbers.hpp"
 #include "percal/page/sections.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
@@ -58,6 +59,10 @@ std::vector<std::string> findings_of(const Prediction& prediction, const ShotMod
   if (hypothesis.contradicted)
     findings.push_back(
         "The data contradict each other under this hypothesis: what follows from it is no prediction to rely on.");
+  if (!prediction.request.columns_passed_over.empty())
+    findings.push_back(
+        "Columns of " + prediction.request.words.shots +
+        " that say nothing of a shot were passed over: " + listed(prediction.request.columns_passed_over) + ".");
   for (const std::string& way : ways_outside(prediction)) findings.push_back("Beyond what was fitted: " + way + ".");
   for (const ShotPrediction& one : prediction.shots)
     if (!model.passage && one.depth.passes >= may_pass)

@@ -85,6 +85,7 @@ class Sources {
 
   std::size_t size() const { return rows_.size(); }
   std::vector<std::string> labels() const { return rows_.labels(); }
+  std::vector<std::string> columns_passed_over() const { return rows_.columns_passed_over(); }
 
   std::vector<double> radii() const {
     if (const auto said = rows_.radii(words_.sphere)) return *said;
@@ -152,13 +153,12 @@ class Sources {
   ShotRows rows_;
 };
 
-std::vector<NamedShot> shots_of(const PredictWords& words, const ShotModel& model, const PredictRequest& request) {
+void take_shots(const PredictWords& words, const ShotModel& model, PredictRequest& request) {
   const Sources sources(words, model, request);
   const auto radii = sources.radii();
   const auto densities = sources.densities(radii), speeds = sources.speeds(), layers = sources.layer_depths(radii);
   const auto labels = sources.labels();
   const double width = model.shots.front().layer_width / model.shots.front().radius;  // of all shots
-  std::vector<NamedShot> shots;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     NamedShot shot;
     shot.radius = radii[i];
@@ -170,9 +170,9 @@ std::vector<NamedShot> shots_of(const PredictWords& words, const ShotModel& mode
     if (!(shot.layer_depth > shot.radius))
       refuse_option("--layer-depth", format_quantity(shot.layer_depth, dimension::length),
                     "more than the sphere's radius, " + format_quantity(shot.radius, dimension::length));
-    shots.push_back(std::move(shot));
+    request.shots.push_back(std::move(shot));
   }
-  return shots;
+  request.columns_passed_over = sources.columns_passed_over();
 }
 
 }  // namespace
@@ -219,7 +219,7 @@ PredictRequest understood(const PredictWords& words, const ShotModel& model) {
     if (request.looked_for) refuse_option("--speed", "a range beside --depth or --v50", "one speed");
     request.speeds = quantity_range(words.speed, "--speed", dimension::speed, positive("speed"));
   }
-  request.shots = shots_of(words, model, request);
+  take_shots(words, model, request);
   if (words.v50) request.depth = request.shots.front().layer_depth;
   return request;
 }

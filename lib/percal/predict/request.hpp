@@ -36,9 +36,10 @@ struct PredictRequest {
   double level = 0.95;
   double speed_error = 0;        // relative
   std::vector<NamedShot> shots;  // of which depths are asked; one where a number is looked for: what it has in common
-  std::optional<QuantityRange> speeds;   // of a curve of depth over speed, m/s
-  std::optional<ShotNumber> looked_for;  // the number at which the depth is
-  double depth = 0;                      // this one, m; the layer's where passing is asked for
+  std::vector<std::string> columns_passed_over;  // of the table of shots: headers that say nothing of a shot
+  std::optional<QuantityRange> speeds;           // of a curve of depth over speed, m/s
+  std::optional<ShotNumber> looked_for;          // the number at which the depth is
+  double depth = 0;                              // this one, m; the layer's where passing is asked for
 };
 
 inline const char* word(ShotNumber number) {

@@ -8,6 +8,12 @@
 #include "percal/units/words.hpp"
 
 namespace percal {
+namespace {
+
+constexpr const char* columns_of_shots[] = {"speed",         "radius",      "diameter", "particle_density",
+                                            "particle_mass", "layer_depth", "label"};
+
+}  // namespace
 
 void refuse_option(const std::string& option, const std::string& found, const std::string& accepted) {
   throw BadInput(Place{.file = "", .line = 0, .key = option}, found, accepted);
@@ -39,6 +45,16 @@ std::vector<std::string> ShotRows::labels() const {
 }
 
 // One of two that stand for each other: the second's own name where it is given.
+std::vector<std::string> ShotRows::columns_passed_over() const {
+  std::vector<std::string> over;
+  if (!table_) return over;
+  for (const CsvColumn& own : table_->columns) {
+    const auto is_known = [&](const char* name) { return table_->find(name) == table_->find(own.header); };
+    if (std::ranges::none_of(columns_of_shots, is_known)) over.push_back(own.header);
+  }
+  return over;
+}
+
 std::string ShotRows::one_of(const std::string& first, const std::string& first_option, const std::string& second,
                              const std::string& second_option) const {
   if (have(first, first_option) && have(second, second_option))

@@ -30,6 +30,8 @@ class ShotRows {
   bool have(const std::string& name, const std::string& option) const { return column(name) || !option.empty(); }
   std::vector<double> numbers(const std::string& name, const std::string& option, const Dimension& dimension) const;
   std::vector<std::string> labels() const;
+  // Headers of the table that say nothing of a shot, in its order.
+  std::vector<std::string> columns_passed_over() const;
 
   // m; nothing where no size is said. Throws BadInput for a radius beside a diameter.
   std::optional<std::vector<double>> radii(const SphereWords& words) const;
