@@ -149,8 +149,8 @@ TEST_F(Interrupted, WhileThreadsWriteNoTemporaryFileIsLeft) {
   std::uniform_int_distribution<int> microseconds(start_up, 10 * start_up);
   int in_the_middle = 0;
   for (int k = 0; k < 40; ++k) {
-    const pid_t child = start(
-        {"impact", "layer.toml", "--store", "layer.store", "--out", "out", "--quiet", "--fields", "every=2", "--threads", "2"});
+    const pid_t child = start({"impact", "layer.toml", "--store", "layer.store", "--out", "out", "--quiet", "--fields",
+                               "every=2", "--threads", "2"});
     std::this_thread::sleep_for(std::chrono::microseconds(microseconds(random)));
     kill(child, k % 2 == 0 ? SIGINT : SIGHUP);
     in_the_middle += wait_for(child).code == 130;

@@ -31,8 +31,8 @@ TEST_F(SlowTutorial, EveryCommandDoesWhatThePageSays) {
     const test::Ended ended = run(test::words_of(command));
     EXPECT_EQ(ended.code, 0) << "percal " << command << "\n" << ended.err;
   }
-  for (const char* file :
-       {"block.k", "block_speeds/shots.csv", "skin.out/result.json", "skin.k", "skin.inp", "skin.html", "bb.png", "bb.out/report.html", "skin_cube.inp"})
+  for (const char* file : {"block.k", "block_speeds/shots.csv", "skin.out/result.json", "skin.k", "skin.inp",
+                           "skin.html", "bb.png", "bb.out/report.html", "skin_cube.inp"})
     EXPECT_TRUE(fs::exists(path(file))) << file;
 }
 

@@ -34,8 +34,9 @@ double softest(const CalibrationJob& job, const CalibrationMaterial& material, c
         if (!(mu_true > 0)) continue;
         const Bounds rate = bounds_of(job, hypothesis, material.rate_exponent);
         for (const double exponent : {rate.low, rate.high})
-          softest = std::min(softest, mu_true * rate_factor({.rate_exponent = exponent, .reference_rate = material.reference_rate},
-                                                            shot.speed / shot.radius));
+          softest = std::min(
+              softest, mu_true * rate_factor({.rate_exponent = exponent, .reference_rate = material.reference_rate},
+                                             shot.speed / shot.radius));
       }
   }
   return softest;

@@ -155,7 +155,8 @@ Table deviation_table(const Json& result) {
   table.notes.push_back("Of shots without a measured number: the model's depth, or the speed left behind the layer.");
   if (std::ranges::any_of(shots, [](const Json& shot) { return text(shot, "seen") == "speed left"; }))
     table.notes.push_back(
-        "Of a speed left: the deviation of the reach L/(1 - (v_left/v)^2), the depth at which all energy would be gone.");
+        "Of a speed left: the deviation of the reach L/(1 - (v_left/v)^2), the depth at which all energy would be "
+        "gone.");
   return table;
 }
 
