@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -21,8 +22,7 @@ constexpr int speed_rounds = 2;  // the exponent hardly moves with the minimum
 
 VectorXd middle(const std::vector<FreeParameter>& parameters) {
   VectorXd at(static_cast<Eigen::Index>(parameters.size()));
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    at[k] = (parameters[k].searched(parameters[k].low) + parameters[k].searched(parameters[k].high)) / 2;
+  for (std::size_t k = 0; k < parameters.size(); ++k) at[k] = parameters[k].middle();
   return at;
 }
 
@@ -149,6 +149,7 @@ std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& mo
   const ModelAnswer answer = model.log_depths(fit.at, measured, Want::values_and_covariance);
   const VectorXd exponents = model.speed_exponents(fit.at, measured);
   const MatrixXd of_parameters = answer.jacobian * full_covariance(model, fit) * answer.jacobian.transpose();
+  std::map<int, double> quantiles;  // of each group: what sides alone tell is a likelihood of its own
   std::vector<ShotDepth> depths;
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -156,7 +157,8 @@ std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& mo
     const double own = answer.covariance.size() > 0 ? std::max(0.0, answer.covariance(i, i)) : 0;
     const double scatter = fit.best().scatter[shot.group], known = known_log_error(shot, exponents[i]);
     const double deviation = std::sqrt(of_parameters(i, i) + own + scatter * scatter + known * known);
-    const double quantile = prediction_quantile(fit, shot.group, job.level);
+    if (!quantiles.contains(shot.group)) quantiles[shot.group] = prediction_quantile(fit, shot.group, job.level);
+    const double quantile = quantiles[shot.group];
     ShotDepth depth{
         .shot = shots[k], .depth = std::exp(answer.value[i]), .model_error = std::sqrt(own), .deviation = {}};
     depth.low = depth.depth * std::exp(-quantile * deviation);

@@ -23,7 +23,7 @@ std::vector<double> natural_at(const CalibrationJob& job, End length) {
     if (parameter.kind == ParameterKind::erosion_length)
       natural.push_back(length == End::shortest ? p.low : p.high);
     else
-      natural.push_back(p.natural((p.searched(p.low) + p.searched(p.high)) / 2));
+      natural.push_back(p.natural(p.middle()));
   }
   return natural;
 }

@@ -151,8 +151,7 @@ void Training::take_foreign_runs() {
   std::sort(stored.begin(), stored.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
   // The setting is that of any of the job's problems.
   std::vector<double> natural;
-  for (const auto& [kind, free] : job_.parameters)
-    natural.push_back(free.natural((free.searched(free.low) + free.searched(free.high)) / 2));
+  for (const auto& [kind, free] : job_.parameters) natural.push_back(free.natural(free.middle()));
   const MeasuredShot& shot = job_.shots.front();
   const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
   const std::string setting =

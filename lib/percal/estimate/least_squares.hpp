@@ -1,5 +1,5 @@
 // Parameters fitted to data of any kind at once: weighted least squares with priors, bounds, a scatter that the data tell, and
-// data that only say on which side of a number they lie. What the model is, nobody here knows.                         docs/theory/calibration.md
+// data that only say on which side of a number they lie. What the model is, nobody here knows.        docs/theory/calibration.md
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -20,6 +20,7 @@ struct FreeParameter {
 
   double searched(double natural) const;
   double natural(double searched) const;
+  double middle() const { return (searched(low) + searched(high)) / 2; }  // of the bounds, searched
 };
 
 // What a datum tells of its number: itself; that it is no smaller or no larger than the value, where it would have been measured

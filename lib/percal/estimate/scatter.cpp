@@ -16,14 +16,22 @@ using Eigen::VectorXd;
 
 bool tells_a_side(const Datum& datum) { return datum.seen == Seen::above || datum.seen == Seen::below; }
 
+// Whether a group has such data and no number.
+bool has_sides_alone(const std::vector<Datum>& data, int group) {
+  bool sides = false;
+  for (const Datum& datum : data) {
+    if (datum.group != group) continue;
+    if (datum.is_number()) return false;
+    sides |= tells_a_side(datum);
+  }
+  return sides;
+}
+
 // What the first guess and the last word need to know of a group.
 struct GroupData {
   std::vector<double> squared_error, squared_residual;  // of its numbers
   double least = 0, largest = 0;                        // values
   bool has_exact = false;                               // a number without an error of its own
-  bool has_sides = false;                               // data that only ever tell a side
-
-  bool has_sides_alone() const { return has_sides && squared_error.empty(); }
 
   double range() const {
     const double spread = largest - least, size = std::max(std::abs(least), std::abs(largest));
@@ -35,9 +43,7 @@ GroupData gather(const CalibrationProblem& problem, const VectorXd& residuals, i
   GroupData found;
   for (std::size_t i = 0; i < problem.data.size(); ++i) {
     const Datum& datum = problem.data[i];
-    if (datum.group != group) continue;
-    found.has_sides |= tells_a_side(datum);
-    if (!datum.is_number()) continue;
+    if (datum.group != group || !datum.is_number()) continue;
     const bool first = found.squared_error.empty();
     found.squared_error.push_back(datum.error * datum.error);
     found.squared_residual.push_back(residuals[i] * residuals[i]);
@@ -73,8 +79,8 @@ double moment_scatter_squared(const GroupData& group) {
 constexpr double least_scatter = 1e-9;  // of the range of the group's values
 
 double least_scatter_squared(const CalibrationProblem& problem, int group) {
+  if (has_sides_alone(problem.data, group)) return least_scatter_of_sides * least_scatter_of_sides;
   const GroupData found = gather(problem, VectorXd::Zero(static_cast<int>(problem.data.size())), group);
-  if (found.has_sides_alone()) return least_scatter_of_sides * least_scatter_of_sides;
   return found.has_exact ? std::pow(least_scatter * found.range(), 2) : 0;
 }
 
@@ -119,7 +125,7 @@ std::vector<double> first_scatter(const CalibrationProblem& problem, const Vecto
     const GroupData group = gather(problem, residuals, g);
     if (!problem.groups[g].estimated)
       scatter.push_back(problem.groups[g].fixed);
-    else if (group.has_sides_alone())
+    else if (has_sides_alone(problem.data, g))
       scatter.push_back(first_scatter_of_sides);
     else
       scatter.push_back(std::max(std::sqrt(moment_scatter_squared(group)), coarse_scatter * group.range()));
@@ -163,9 +169,6 @@ RestrictedLikelihood restricted_likelihood(const CalibrationProblem& problem, co
   const MatrixXd& A = found.covariance;
   VectorXd with_no_fit = VectorXd::Zero(groups);
   std::vector<MatrixXd> G(groups, MatrixXd::Zero(p, p));  // sum over the group of B_i^T B_i
-  std::vector<bool> has_number(groups, false);
-  for (const Datum& datum : data)
-    if (datum.is_number()) has_number[datum.group] = true;
   for (int i = 0; i < n; ++i) {
     if (!data[i].is_number() && !tells_a_side(data[i])) continue;
     const int g = data[i].group;
@@ -192,7 +195,7 @@ RestrictedLikelihood restricted_likelihood(const CalibrationProblem& problem, co
     }
   for (int g = 0; g < groups; ++g) {
     // What sides alone tell of a parameter does not grow and shrink with their scatter as a sum of squares does: no Student's t.
-    found.covariance_slope.push_back(has_number[g] ? MatrixXd(A * G[g] * A) : MatrixXd::Zero(p, p));
+    found.covariance_slope.push_back(has_sides_alone(data, g) ? MatrixXd::Zero(p, p) : MatrixXd(A * G[g] * A));
     for (int h = 0; h < groups; ++h) found.fisher(g, h) += 0.5 * (A * G[g] * A * G[h]).trace();
   }
   for (int g = 0; g < groups; ++g)
@@ -214,8 +217,7 @@ std::vector<double> restricted_scatter(const CalibrationProblem& problem, const 
   VectorXd least(groups), squared(groups);
   std::vector<bool> sides_alone(groups);
   for (int g = 0; g < groups; ++g) {
-    sides_alone[g] =
-        problem.groups[g].estimated && gather(problem, VectorXd::Zero(answer.value.size()), g).has_sides_alone();
+    sides_alone[g] = problem.groups[g].estimated && has_sides_alone(problem.data, g);
     least[g] = problem.groups[g].estimated ? least_scatter_squared(problem, g) : scatter[g] * scatter[g];
     squared[g] = std::max(least[g], scatter[g] * scatter[g]);
   }

@@ -119,16 +119,14 @@ FoundColumns find_columns(const CsvTable& table, const CurveColumns& wanted) {
   const auto& [gauge_length, area] = wanted.specimen;
   if (!wanted.y.empty())
     found.y = table.column(wanted.y);
-  else if (area)
-    found.y = single(table, may_be_force, "--y", force_meaning, dimension::force);
   else
-    found.y = single(table, may_be_y, "--y", y_meaning);
+    found.y = area ? single(table, may_be_force, "--y", force_meaning, dimension::force)
+                   : single(table, may_be_y, "--y", y_meaning);
   if (!wanted.x.empty())
     found.x = table.column(wanted.x);
-  else if (gauge_length)
-    found.x = single(table, may_be_displacement, "--x", displacement_meaning, dimension::length);
   else
-    found.x = single(table, may_be_x, "--x", x_meaning);
+    found.x = gauge_length ? single(table, may_be_displacement, "--x", displacement_meaning, dimension::length)
+                           : single(table, may_be_x, "--x", x_meaning);
   if (area) {
     found.y_words = {StressMeasure::nominal, says_compressive(table.columns[found.y])};
     found.y_dimension = dimension::force;

@@ -37,8 +37,8 @@ std::vector<Piece> curves_in(const Followed& test, const std::vector<Branch>& br
   return pieces;
 }
 
-std::vector<Piece> chosen_pieces(const Followed& test, const RowChoice& choice, const CsvTable& table) {
-  const std::vector<Branch> branches = branches_of(test);
+std::vector<Piece> chosen_pieces(const Followed& test, const std::vector<Branch>& branches, const RowChoice& choice,
+                                 const CsvTable& table) {
   if (std::holds_alternative<AllBranches>(choice.branch)) return curves_in(test, branches);
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k < branches.size(); ++k) {
@@ -84,9 +84,10 @@ class Chooser {
     for (const Followed& test : tests) longest = std::max(longest, test.longest);
     for (const Followed& test : tests) {
       if (!(test.longest > 0) || !(test.largest > 0)) continue;
-      auto pieces = chosen_pieces(test, choice_, table_);
+      const std::vector<Branch> branches = branches_of(test);
+      auto pieces = chosen_pieces(test, branches, choice_, table_);
       number_pieces(pieces);
-      if (!whole) keep_alone(test, pieces);
+      if (!whole) keep_alone(test, branches, pieces);
       const auto holds = holds_of(test);
       if (choice_.holds == Holds::left_out) leave_holds_out(test, holds);
       if (choice_.until == CurveEnd::peak && test.points.size() >= fewest_rows && test.longest > turning * longest)
@@ -98,13 +99,12 @@ class Chooser {
  private:
   CurveSource& source() { return data_.sources.back(); }
 
-  void keep_alone(const Followed& test, const std::vector<Piece>& pieces) {
+  void keep_alone(const Followed& test, const std::vector<Branch>& branches, const std::vector<Piece>& pieces) {
     for (const Met& point : test.points) kept_[point.row] = false;
     std::size_t rows = 0;
     for (const Piece& piece : pieces)
       for (std::size_t i = piece.begin; i <= piece.end; ++i)
         if (!kept_[test.points[i].row]) kept_[test.points[i].row] = true, ++rows;
-    const auto branches = branches_of(test);
     const auto loading = std::count_if(branches.begin(), branches.end(), [](const Branch& b) { return b.loading; });
     if (rows == test.points.size()) return;
     source().warnings.push_back(fmt::format(

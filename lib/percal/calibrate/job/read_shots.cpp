@@ -60,10 +60,11 @@ void read_use(const TomlTable& block, const CsvTable& table, std::vector<Measure
   for (std::size_t i = 0; i < shots.size(); ++i) shots[i].used = fitted && chosen[i];
 }
 
-// Bounds in place of depths: at_least, at_most and the rows of which they are true.
+const std::pair<std::string, ShotDatum> bounds[] = {{"at_least", ShotDatum::at_least}, {"at_most", ShotDatum::at_most}};
+
+// Bounds in place of depths, and the rows of which they are true.
 void read_bounds(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
-  for (const auto& [key, datum] :
-       {std::pair{std::string("at_least"), ShotDatum::at_least}, {"at_most", ShotDatum::at_most}}) {
+  for (const auto& [key, datum] : bounds) {
     const bool all = block.flag(key, false);
     const std::string where = key + "_where";
     if (all && block.has(where)) block.refuse(where, "this beside " + key + " = true", "one of the two");
@@ -84,8 +85,8 @@ void read_bounds(const TomlTable& block, const CsvTable& table, std::vector<Meas
 
 const std::string outcome_forms = "\"passed\" (perforated, complete) or \"stopped\" (caught, partial)";
 
-std::optional<ShotDatum> outcome_of(std::string word) {
-  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::optional<ShotDatum> outcome_of(const std::string& text) {
+  const std::string word = lower_case(text);
   for (const char* passed : {"passed", "perforated", "complete"})
     if (word == passed) return ShotDatum::passed;
   for (const char* stopped : {"stopped", "caught", "partial"})
@@ -185,7 +186,7 @@ MeasuredShot shot_of_point(const TomlTable& point) {
     point.refuse(point.has("speed_left") ? "speed_left" : "depth", found, accepted);
   });
   shot.depth_error = depth_error_from(point, shot.depth);
-  for (const auto& [key, datum] : {std::pair{"at_least", ShotDatum::at_least}, {"at_most", ShotDatum::at_most}}) {
+  for (const auto& [key, datum] : bounds) {
     if (!point.flag(key, false)) continue;
     if (shot.datum != ShotDatum::depth)
       point.refuse(key, "this without a depth of its own", "a depth, and one bound at most");
