@@ -36,6 +36,9 @@ struct Command {
   bool runs_impacts = false;  // may be interrupted and resumed
 };
 
+// Those of `percal card`.
+void add_card(CLI::App& app, CardArguments& card, Common& common, std::vector<Command>& commands);
+
 // Adds them all; what is said goes into the arguments, which must live as long as the commands.
 std::vector<Command> add_commands(CLI::App& app, Arguments& a);
 
