@@ -98,7 +98,7 @@ TEST_F(JobsWithALength, WriteItIntoTheirScenes) {
   ASSERT_EQ(scenes.size(), job.shots.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Scene scene = parse_scene(scene_to_toml(scenes[i].scene, "found"), scenes[i].name);
-    const double length = job.shots[i].material == 0 ? 0.5e-3 : 0.4e-3;
+    const double length = job.shots[i].target == 0 ? 0.5e-3 : 0.4e-3;
     EXPECT_DOUBLE_EQ(std::get<AverageWithin>(scene.target.erosion_average).length, length);
     EXPECT_NEAR(scene.mesh.elements_per_radius * length / job.shots[i].radius, job.training.verify, 1e-9);
   }
@@ -108,7 +108,7 @@ TEST_F(JobsWithALength, WriteItIntoTheirScenes) {
 TEST_F(JobsWithALength, HaveTheirKeysOnTheFormatsPage) {
   const CalibrationJob job = read_job(lengths("length", "0.4 mm"));
   CalibrationResult made_up = calibrate_test::made_up_result(read_job());
-  made_up.shot_model.emplace().settings.length.back() = 0.8;
+  made_up.shot_model.emplace().settings.length[index_of(&SphereInputs::log_erosion_length)] = 0.8;
   made_up.hypotheses[0].fresh[0].elements_in_length = 7;
   const nlohmann::json result = calibration_to_json(read_job(), made_up);
   EXPECT_EQ(result["shot_model"]["settings"]["length"]["ln_erosion_length_over_radius"], 0.8);
@@ -152,7 +152,7 @@ TEST_F(RunsWithALength, AreOnMeshesWithAsManyElementsInTheLength) {
     EXPECT_NEAR(1 / element_size(run.problem), 4, phase + 1e-9);
   }
   ASSERT_TRUE(training.has_emulator());
-  EXPECT_EQ(training.emulator().settings().inputs(), sphere_inputs);
+  EXPECT_EQ(training.emulator().settings().inputs(), inputs_without_covers);
   CalibrationJob local = job_;
   local.text = "another";
   local.materials[0].erosion_length.reset();

@@ -23,7 +23,8 @@ class CalibratePage : public calibrate_test::SmallJob {
 
   // "[parameters.mu]" is described as [parameters.NAME].
   static std::string heading_of(const std::string& header) {
-    for (const char* named : {"parameters", "materials", "scatter"})
+    if (header.starts_with("[[targets.")) return "[[targets.NAME.covers]]";
+    for (const char* named : {"parameters", "materials", "scatter", "targets"})
       if (header.starts_with("[" + std::string(named) + ".")) return "[" + std::string(named) + ".NAME]";
     return header;
   }
@@ -37,6 +38,11 @@ class CalibratePage : public calibrate_test::SmallJob {
 TEST_F(CalibratePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
   Keys keys;
   collect(calibrate_test::small_job, keys);
+  std::string layers = calibrate_test::small_job;
+  const std::string of_hand = "name = \"by hand\"\nmaterial = \"hard\"";
+  layers.replace(layers.find(of_hand), of_hand.size(), "name = \"by hand\"\ntarget = \"dressed\"");
+  layers.insert(layers.find("[materials.soft]"), calibrate_test::layers_of_a_job + "\n");
+  collect(layers, keys);
   // Read only where they are there, or where others are not.
   for (const char* key :
        {"particle", "particle_density", "radius", "radius_column", "diameter", "speed", "depth_error_column"})

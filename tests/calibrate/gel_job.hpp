@@ -47,6 +47,7 @@ inline CalibrationJob gel_job(int speeds = 8) {
                     .erosion_strain = SharedParameter{2},
                     .rate_factor = {},
                     .curve_modulus = {}}};
+  job.targets = {{.name = "gel"}};
   job.groups = {{"shots", true, 0}};
   job.sets = {{"balls", false}};
   for (int k = 0; k < speeds; ++k) {
@@ -82,7 +83,7 @@ inline CalibrationJob gel_job_with_length(int speeds = 8) {
 inline void measure(CalibrationJob& job, const std::vector<double>& natural, double scatter, unsigned seed) {
   Draws draws(seed);
   for (auto& shot : job.shots) {
-    const auto at = shot_inputs(shot, material_at(job, job.hypotheses[0], shot.material, natural)).at;
+    const auto at = shot_inputs(shot, target_at(job, job.hypotheses[0], job.targets[shot.target], natural)).at;
     shot.depth = shot.radius * std::exp(smooth_law(at) + scatter * draws.normal());
   }
 }

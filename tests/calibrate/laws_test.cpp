@@ -133,8 +133,8 @@ TEST(Laws, ASphereBelowACellMeetsAStrainOfItsOwn) {
   large.radius = 1.01e-3;
   EXPECT_EQ(shot_inputs(small, skin).at.erosion_strain, 0.4);
   EXPECT_EQ(shot_inputs(large, skin).at.erosion_strain, 0.9);
-  EXPECT_EQ(shot_inputs(small, skin).by_material.col(2).norm(), 0) << "the other strain is nothing to it";
-  EXPECT_EQ(shot_inputs(large, skin).by_material.col(6).norm(), 0);
+  EXPECT_EQ(shot_inputs(small, skin).by_material[0].col(2).norm(), 0) << "the other strain is nothing to it";
+  EXPECT_EQ(shot_inputs(large, skin).by_material[0].col(6).norm(), 0);
 }
 
 // 100 truths: depths with 5 % scatter and, of the rate, curves beside them.

@@ -113,7 +113,7 @@ CalibrationJob layer_job(int shots) {
 }
 
 double true_reach(const CalibrationJob& job, const MeasuredShot& shot, const std::vector<double>& natural) {
-  const auto at = shot_inputs(shot, material_at(job, job.hypotheses[0], shot.material, natural)).at;
+  const auto at = shot_inputs(shot, target_at(job, job.hypotheses[0], job.targets[shot.target], natural)).at;
   return shot.radius * std::exp(test::smooth_law(at));
 }
 

@@ -104,7 +104,7 @@ TEST_F(ReadCalibrationJob, PointsInTheJobAreShots) {
   EXPECT_EQ(fast.datum, ShotDatum::at_least);
   EXPECT_FALSE(fast.used);
   EXPECT_DOUBLE_EQ(fast.speed_error, 1);
-  EXPECT_EQ(fast.material, 1);
+  EXPECT_EQ(fast.target, 1);
 }
 
 TEST_F(ReadCalibrationJob, SetsAndScatterGroupsAreNamed) {

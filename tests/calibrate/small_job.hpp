@@ -149,6 +149,18 @@ seed = 7
 arithmetic = "double"
 )";
 
+// Targets for it, before [materials.soft]; a block of shots must name one.
+inline const std::string layers_of_a_job = R"(
+[targets.dressed]
+material = "hard"
+[[targets.dressed.covers]]
+material = "soft"
+thickness = "0.5 mm"
+[[targets.dressed.covers]]
+material = "hard"
+thickness = "2 mm"
+)";
+
 class SmallJob : public test::Program {
  protected:
   SmallJob() {
@@ -234,7 +246,8 @@ inline CalibrationResult made_up_result(const CalibrationJob& job) {
   hypothesis.mesh_error = -0.004;
   hypothesis.findings = {"The strain and the modulus go together."};
 
-  hypothesis.for_shots = {.name = "as given", .materials = {{.name = "soft", .points = {{1000, 1e5, 6, 0.9}}}}};
+  hypothesis.for_shots = {.name = "as given",
+                          .materials = {{.name = "soft", .points = {LayerMaterial{1000, 1e5, 6, 0.9}}}}};
 
   HypothesisResult held = hypothesis;
   held.index = 1;

@@ -84,7 +84,7 @@ TEST_F(SphereRunsTest, OfOneThatWentOnBehindItsLayerTheSpeedLeftIsAReach) {
   EXPECT_FALSE(reach_of(problem, hardly_slowed));
 }
 
-TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {
+TEST_F(SphereRunsTest, WhatIsNoErodingSphereInLayersThatErodeIsLeftOut) {
   const auto put = [&](auto change, const std::string& level) {
     Problem p = quick_shot();
     change(p);
@@ -94,9 +94,12 @@ TEST_F(SphereRunsTest, WhatIsNoErodingSphereInOneLayerIsLeftOut) {
   put([](Problem& p) { p.erosion = StressErosion{2}; }, instruction_level());
   put([](Problem& p) { p.geometry = Geometry::plane_strain; }, instruction_level());
   put([](Problem& p) { p.particle = ElasticSphere{100, 0.3}; }, instruction_level());
-  put([](Problem& p) { p.below = {LowerLayer{.depth = 9, .mu = 1}}; }, instruction_level());
+  put([](Problem& p) { p.below = {LowerLayer{.depth = 9, .mu = 1, .alpha = 4, .erosion_limit = INFINITY}}; },
+      instruction_level());
+  put([](Problem& p) { p.below.resize(3, LowerLayer{.depth = 9, .mu = 1, .alpha = 4, .erosion_limit = 1}); },
+      instruction_level());
   put([](Problem&) {}, "another");
-  EXPECT_EQ(store.size(), 6);
+  EXPECT_EQ(store.size(), 7);
   EXPECT_TRUE(stored_spheres(store).empty());
 }
 
@@ -110,6 +113,30 @@ TEST(InputsOf, AreThoseOfTheProblem) {
   p.bulk_ratio = 80;
   const SphereInputs expected{std::log(12.0), -std::log(2.0), 8.5, 0.7, std::log(20.0), std::log(80.0)};
   EXPECT_EQ(inputs_of(p), expected);
+}
+
+// Of three layers the lowest is the one that the others cover; their faces are those of the rows, of four in a radius.
+TEST(InputsOf, TheLayersAboveTheLowestAreItsCovers) {
+  Problem p = quick_shot(12);
+  p.depth = 0.6;
+  p.erosion = StrainErosion{0.2};
+  p.below = {LowerLayer{.depth = 1.7, .density = 1.1, .mu = 0.05, .alpha = 4, .erosion_limit = 0.5},
+             LowerLayer{.depth = 18, .density = 0.9, .mu = 0.02, .alpha = 6, .bulk_ratio = 60, .erosion_limit = 1.1}};
+  const SphereInputs found = inputs_of(p);
+  SphereInputs expected{std::log(0.9 / 0.02), std::log(0.9 / p.density_ratio), 6, 1.1, std::log(20.3), std::log(60)};
+  lay_on(expected, cover_members[0],
+         {.thickness = 1.75, .density = 1.1 / 0.9, .mu = 0.05 / 0.02, .alpha = 4, .erosion_strain = 0.5});
+  lay_on(expected, cover_members[1],
+         {.thickness = 0.5, .density = 1 / 0.9, .mu = p.mu() / 0.02, .alpha = 8.5, .erosion_strain = 0.2});
+  EXPECT_LT((in_order(found) - in_order(expected)).norm(), 1e-12) << in_order(found).transpose();
+}
+
+// The sizes and the materials of all layers are inputs.
+TEST(SettingOf, IsTheSameWithCoversAndWithout) {
+  Problem p = quick_shot(12);
+  const std::string bare = setting_of(p);
+  p.below = {LowerLayer{.depth = 18, .density = 0.9, .mu = 0.02, .alpha = 6, .erosion_limit = 1.1}};
+  EXPECT_EQ(setting_of(p), bare);
 }
 
 TEST(InputsOf, ALengthIsOneOfThemAndElementsAreSharesOfIt) {

@@ -65,7 +65,7 @@ TEST(DepthCovariance, AWeightedSumIsTheProductWithTheWeights) {
     const auto value = [&](const Eigen::VectorXd& at) {
       return covariance.between({at.transpose(), Eigen::VectorXd::Constant(1, h)}, points).row(0).dot(weights);
     };
-    const Eigen::VectorXd at = (Eigen::VectorXd(sphere_inputs) << 0.1, -0.3, 0.7, 0.2, -0.9, 1.4, 0.5).finished();
+    const Eigen::VectorXd at = Eigen::VectorXd::LinSpaced(sphere_inputs, -0.9, 1.4);
     const auto sum = covariance.weighted_sum(at, h, points, weights);
     EXPECT_NEAR(sum.value, value(at), 1e-10);
     for (int j = 0; j < sphere_inputs; ++j) {
@@ -94,10 +94,25 @@ TEST(DepthFeatures, TheErosionEnergyIsTheIntegralOfTheTensionTest) {
   }
 }
 
+// However it is made: with no thickness, or of the layer's own material.
+TEST(DepthFeatures, ACoverThatChangesNothingHasNoFeatures) {
+  const SphereInputs bare{3, -1, 8, 0.6, 4.4, 5, -1.2};
+  SphereInputs none = bare, same = bare;
+  lay_on(none, cover_members[0], {.thickness = 0, .density = 1.2, .mu = 6, .alpha = 5, .erosion_strain = 0.4});
+  lay_on(same, cover_members[0], {.thickness = 0.7, .density = 1, .mu = 1, .alpha = 8, .erosion_strain = 0.6});
+  EXPECT_EQ(depth_features(none), depth_features(bare));
+  Eigen::VectorXd difference = depth_features(same) - depth_features(bare);
+  EXPECT_EQ(difference[index_of(&SphereInputs::cover_depth)], std::log(1.7));
+  difference[index_of(&SphereInputs::cover_depth)] = 0;
+  EXPECT_TRUE(difference.isZero(1e-12)) << difference.transpose();
+}
+
 TEST(DepthFeatures, GradientsComeBackToTheInputs) {
-  const Eigen::VectorXd by_features = (Eigen::VectorXd(sphere_inputs) << 0.7, -0.2, 0.3, 0.9, -1, 0.4, 0.6).finished();
+  const Eigen::VectorXd by_features = Eigen::VectorXd::LinSpaced(sphere_inputs, -1, 0.8);
   for (double alpha : {-7.0, -3e-5, 4e-5, 0.02, 3.0, 11.0}) {
-    const SphereInputs at{3, -1, alpha, 0.6, 4.4, 5, -1.2};
+    SphereInputs at{3, -1, alpha, 0.6, 4.4, 5, -1.2};
+    lay_on(at, cover_members[0], {.thickness = 0.8, .density = 1.2, .mu = 6, .alpha = 5, .erosion_strain = 0.4});
+    lay_on(at, cover_members[1], {.thickness = 0.2, .density = 0.9, .mu = 20, .alpha = -3, .erosion_strain = 0.2});
     const Eigen::VectorXd gradient = by_inputs(at, by_features);
     for (int j = 0; j < sphere_inputs; ++j) {
       const double step = j == index_of(&SphereInputs::alpha) ? 1e-5 : 1e-6;

@@ -141,7 +141,7 @@ TEST(Emulator, AnErosionLengthThatNoRunVariesIsNoInput) {
   auto with_one_length = runs;
   for (TrainingRun& run : with_one_length) run.at.log_erosion_length = -1.3;
   const Emulator without(runs, EmulatorOptions{}), with(with_one_length, EmulatorOptions{});
-  EXPECT_EQ(without.settings().inputs(), inputs_without_length);
+  EXPECT_EQ(without.settings().inputs(), inputs_of_all);
   auto at = box_points(5, 300);
   const DepthAnswers expected = without.depth(at, 0.1, true);
   for (SphereInputs& point : at) point.log_erosion_length = -0.2;
@@ -158,7 +158,7 @@ TEST(Emulator, LearnsWhatALengthDoes) {
     runs[i].log_depth += of_length(runs[i].at.log_erosion_length);
   }
   const Emulator emulator(runs, EmulatorOptions{});
-  EXPECT_EQ(emulator.settings().inputs(), sphere_inputs);
+  EXPECT_EQ(emulator.settings().inputs(), inputs_without_covers);
   SphereInputs at = box_points(1, 300).front();
   at.log_erosion_length = -1;
   const DepthAnswers answer = emulator.depth({at}, 0.25, false);

@@ -273,7 +273,11 @@ TEST(Reduce, AStrainForParticlesSmallerThanACellHoldsForThoseAlone) {
 TEST(Reduce, FrictionOfAnElasticParticleIsRefusedByNameAndNoneIsNone) {
   Scene scene = everything(1e-3, 50, 1000);
   scene.geometry = Geometry::axisymmetric;
-  scene.particle = {.name = "p", .radius = 1e-3, .density = 7000, .speed = 50, .youngs_modulus = 75e6,
+  scene.particle = {.name = "p",
+                    .radius = 1e-3,
+                    .density = 7000,
+                    .speed = 50,
+                    .youngs_modulus = 75e6,
                     .friction = CoulombFriction{0.2}};
   try {
     reduce(scene);
@@ -399,13 +403,14 @@ TEST(Reduce, AStiffLayerBelowCanMakeTheParticleElastic) {
 TEST(LeftOut, NamesOnlyWhatTheSceneDoesNotHave) {
   EXPECT_THAT(left_out_of(scene_of(thesis_square)),
               ElementsAre("elastic particle", "rotation", "friction", "second half", "history", "radius of the channel",
-                          "what follows the deepest point", "rate dependence", "initial stretch", "fibres", "further layers",
-                          "rows at rest", "contact away from the particle", "double precision"));
+                          "what follows the deepest point", "rate dependence", "initial stretch", "fibres",
+                          "further layers", "rows at rest", "contact away from the particle", "double precision"));
   Scene all = everything(1e-3, 50, 1000);
   all.output = {.history = true, .after = RunUntil::rest, .channel = true};
   all.particle.friction = CoulombFriction{0.1};
   all.solver.arithmetic = Arithmetic::double_precision;
-  EXPECT_THAT(left_out_of(all), ElementsAre("elastic particle", "initial stretch", "rows at rest", "contact away from the particle"));
+  EXPECT_THAT(left_out_of(all),
+              ElementsAre("elastic particle", "initial stretch", "rows at rest", "contact away from the particle"));
 }
 
 TEST(LeftOut, AProfileOfSoftMaterialStaysRigidWithAWarning) {

@@ -33,6 +33,13 @@ class RandomProblems {
     p.until = static_cast<RunUntil>(choice(3));
     p.arithmetic = choice(2) ? Arithmetic::double_precision : Arithmetic::single_precision;
     p.speed_factor = replicate_speed_factor(choice(9));
+    for (int layers = choice(3); layers > 0; --layers)
+      p.below.push_back({.depth = number_of_any_size(),
+                         .density = number_of_any_size(),
+                         .mu = number_of_any_size(),
+                         .alpha = number_of_any_size(),
+                         .bulk_ratio = number_of_any_size(),
+                         .erosion_limit = choice(2) ? number_of_any_size() : INFINITY});
     return p;
   }
 
@@ -65,6 +72,7 @@ TEST(ProblemOfKey, AProblemComesBackFromItsKey) {
     EXPECT_EQ(found->pi4, p.pi4);
     EXPECT_EQ(found->alpha, p.alpha);
     EXPECT_EQ(found->erosion, p.erosion);
+    EXPECT_EQ(found->below, p.below);
     EXPECT_EQ(found->elements_per_radius, p.elements_per_radius);
     EXPECT_DOUBLE_EQ(found->speed_factor, p.speed_factor);
     EXPECT_TRUE(key.starts_with(sphere_key_prefix("avx2")));
@@ -80,7 +88,7 @@ TEST(ProblemOfKey, WhatItDoesNotKnowIsRefused) {
   EXPECT_FALSE(refused([](Problem&) {}));
   EXPECT_TRUE(refused([](Problem& p) { p.particle = ElasticSphere{100, 0.3}; }));
   EXPECT_TRUE(refused([](Problem& p) { p.particle = RigidPolygon{.vertices = {{0, -1}, {1, 0}, {0, 1}}, .mass = 2}; }));
-  EXPECT_TRUE(refused([](Problem& p) { p.below = {LowerLayer{.depth = 10, .mu = 1}}; }));
+  EXPECT_TRUE(refused([](Problem& p) { p.below = {LowerLayer{.depth = 10, .mu = 1, .stretch = 1.1}}; }));
   EXPECT_TRUE(refused([](Problem& p) { p.relaxation = PronySeries{{{0.3, 2}}}; }));
 }
 

@@ -5,6 +5,19 @@
 #include "percal/calibrate/shot_problem.hpp"
 
 namespace percal {
+namespace {
+
+// By their materials; covers lie the other way round than in the scene.
+void name_layers(Scene& scene, const CalibrationJob& job, const CalibrationTarget& target) {
+  std::vector<std::string*> from_below;
+  for (LowerLayerScene& layer : scene.below) from_below.insert(from_below.begin(), &layer.name);
+  from_below.push_back(&scene.target.name);
+  *from_below[0] = job.materials[target.material].name;
+  for (std::size_t k = 0; k < target.covers.size(); ++k)
+    *from_below[k + 1] = job.materials[target.covers[k].material].name;
+}
+
+}  // namespace
 
 std::vector<BestScene> best_scenes(const CalibrationJob& job, const CalibrationResult& result) {
   std::vector<BestScene> scenes;
@@ -14,9 +27,10 @@ std::vector<BestScene> best_scenes(const CalibrationJob& job, const CalibrationR
     const auto natural = natural_values(job, hypothesis, found.parameters, found.minima.front().searched);
     int number = 0;
     for (const MeasuredShot& shot : job.shots) {
-      const MaterialAt material = material_at(job, hypothesis, shot.material, natural);
+      const CalibrationTarget& target = job.targets[shot.target];
+      const CoveredMaterial material = target_at(job, hypothesis, target, natural);
       Scene scene = shot_scene(job, shot, material, mesh_of(shot, material, job.training.verify));
-      scene.target.name = job.materials[shot.material].name;
+      name_layers(scene, job, target);
       scene.replicates = job.training.verify_replicates;
       scenes.push_back({fmt::format("hypothesis_{}_shot_{}", found.index + 1, ++number), std::move(scene)});
     }

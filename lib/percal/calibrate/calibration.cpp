@@ -43,7 +43,7 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
     const auto natural = natural_values(job, read, model.of_job, at);
     for (std::size_t i = 0; i < job.shots.size(); ++i) {
       const MeasuredShot& shot = job.shots[i];
-      const MaterialAt material = material_at(job, read, shot.material, natural);
+      const CoveredMaterial material = target_at(job, read, job.targets[shot.target], natural);
       const double scatter = fit.best().scatter[shot.group];
       const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
       targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});

@@ -39,7 +39,7 @@ CardIntervals intervals_of(const CalibrationJob& job, const HypothesisResult& re
 double bulk_ratio(const CalibrationJob& job, int material, const MaterialAt& at) {
   double ratio = least_bulk_ratio;
   for (const MeasuredShot& shot : job.shots)
-    if (shot.material == material) ratio = std::max(ratio, std::exp(shot_inputs(shot, at).at.log_bulk_ratio));
+    if (meets(job, shot, material)) ratio = std::max(ratio, std::exp(shot_inputs(shot, at).at.log_bulk_ratio));
   return ratio;
 }
 
@@ -51,7 +51,7 @@ CardErosion erosion_of(const CalibrationJob& job, int material, const MaterialAt
   std::optional<double> element;
   bool one_radius = true;
   for (const MeasuredShot& shot : job.shots) {
-    if (shot.material != material) continue;
+    if (!meets(job, shot, material)) continue;
     const double size = over_radius * shot.radius;
     one_radius = one_radius && (!element || *element == size);
     element = size;
@@ -64,7 +64,7 @@ std::vector<std::string> comments_of(const CalibrationJob& job, const Hypothesis
                                      const MaterialAt& at) {
   std::vector<std::string> comments{"calibrated by percal from " + job.title + ", hypothesis '" + hypothesis.name +
                                     "'"};
-  if (std::ranges::find(job.shots, material, &MeasuredShot::material) != job.shots.end())
+  if (std::ranges::any_of(job.shots, [&](const MeasuredShot& shot) { return meets(job, shot, material); }))
     comments.push_back("its runs had " + in_words(job.solver));
   if (at.erosion_length)
     comments.push_back(

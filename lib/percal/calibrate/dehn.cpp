@@ -40,8 +40,8 @@ JobModel dehn_model(const CalibrationJob& job) {
     return dehn_depth({.radius = shot.radius,
                        .density = shot.density,
                        .speed = shot.speed,
-                       .target_density = job.materials[shot.material].density},
-                      std::exp(searched[0]), std::exp(searched[place[shot.material]]));
+                       .target_density = job.materials[shot.target].density},
+                      std::exp(searched[0]), std::exp(searched[place[shot.target]]));
   };
   model.log_depths = [=](const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots, Want) {
     ModelAnswer answer;
@@ -51,7 +51,7 @@ JobModel dehn_model(const CalibrationJob& job) {
       const DehnDepth depth = shot_depth(searched, shots[k]);
       answer.value[k] = depth.log_depth;
       answer.jacobian(k, 0) = depth.gradient[0];
-      answer.jacobian(k, place[shots[k].material]) = depth.gradient[1];
+      answer.jacobian(k, place[shots[k].target]) = depth.gradient[1];
     }
     return answer;
   };

@@ -66,10 +66,16 @@ ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, do
   std::vector<SphereInputs> at;
   std::vector<MatrixXd> chain;  // sphere_inputs x parameters
   for (const MeasuredShot& shot : shots) {
-    const MaterialAt material = material_at(context.job, context.hypothesis, shot.material, natural);
-    const ShotInputs inputs = shot_inputs(shot, material);
+    const CalibrationTarget& target = context.job.targets[shot.target];
+    const ShotInputs inputs = shot_inputs(shot, target_at(context.job, context.hypothesis, target, natural));
     at.push_back(inputs.at);
-    chain.push_back(inputs.by_material * context.derivative(shot.material, material));
+    const auto by_parameters = [&](std::size_t layer, int material) {
+      const MaterialAt there = material_at(context.job, context.hypothesis, material, natural);
+      return MatrixXd(inputs.by_material[layer] * context.derivative(material, there));
+    };
+    chain.push_back(by_parameters(0, target.material));
+    for (std::size_t k = 0; k < target.covers.size(); ++k)
+      chain.back() += by_parameters(k + 1, target.covers[k].material);
   }
   const DepthAnswers depths = emulator.depth(at, h, want == Want::values_and_covariance);
   ModelAnswer answer;
@@ -89,8 +95,8 @@ VectorXd emulated_speed_exponents(const Context& context, const Emulator& emulat
   std::vector<SphereInputs> at;
   MatrixXd along(static_cast<Eigen::Index>(shots.size()), sphere_inputs);
   for (std::size_t k = 0; k < shots.size(); ++k) {
-    const ShotInputs inputs =
-        shot_inputs(shots[k], material_at(context.job, context.hypothesis, shots[k].material, natural));
+    const ShotInputs inputs = shot_inputs(
+        shots[k], target_at(context.job, context.hypothesis, context.job.targets[shots[k].target], natural));
     at.push_back(inputs.at);
     along.row(k) = inputs.by_log_speed.transpose();
   }

@@ -28,7 +28,7 @@ std::vector<Expected> expected(const CalibrationJob& job, const FittedHypotheses
   std::vector<Expected> all;
   for (std::size_t s = 0; s < shots.size(); ++s) {
     const auto i = static_cast<Eigen::Index>(s);
-    const MaterialAt material = material_at(job, hypothesis, shots[s].material, natural);
+    const CoveredMaterial material = target_at(job, hypothesis, job.targets[shots[s].target], natural);
     all.push_back({fit.shots[s],
                    shot_problem(job, shots[s], material, mesh_of(shots[s], material, job.training.verify)),
                    emulated.value[i], emulated.covariance(i, i)});

@@ -69,7 +69,7 @@ void laws_over_the_shots(const CalibrationJob& job, const HypothesisResult& resu
     const auto of_shots = [&](const auto& number) {
       double least = INFINITY, most = 0;
       for (const MeasuredShot& shot : job.shots) {
-        if (shot.material != static_cast<int>(m)) continue;
+        if (!meets(job, shot, static_cast<int>(m))) continue;
         least = std::min(least, number(shot));
         most = std::max(most, number(shot));
       }
@@ -88,7 +88,7 @@ void laws_over_the_shots(const CalibrationJob& job, const HypothesisResult& resu
     }
     if (at.laws.cell > 0) {
       const auto below = std::ranges::count_if(job.shots, [&](const MeasuredShot& shot) {
-        return shot.material == static_cast<int>(m) && is_below_cell(at.laws, shot.radius);
+        return meets(job, shot, static_cast<int>(m)) && is_below_cell(at.laws, shot.radius);
       });
       sentences.push_back(fmt::format(
           "{} erodes at {:.3g} under spheres of a diameter below {}, {} of its shots, and at {:.3g} under larger ones.",
@@ -120,7 +120,7 @@ void erosion_length_in_radii(const CalibrationJob& job, const HypothesisResult& 
     double least = INFINITY, most = 0;
     const double length = *material_at(job, hypothesis, static_cast<int>(m), natural).erosion_length;
     for (const MeasuredShot& shot : job.shots) {
-      if (shot.material != static_cast<int>(m)) continue;
+      if (!meets(job, shot, static_cast<int>(m))) continue;
       least = std::min(least, length / shot.radius);
       most = std::max(most, length / shot.radius);
     }

@@ -30,7 +30,7 @@ int fitted_place(const JobModel& model, const JobFit& fit, const MaterialNumber&
 // quasi-static modulus is asked for.
 bool told_about(const CalibrationJob& job, const JobFit& fit, std::size_t material) {
   const bool measured = std::any_of(fit.shots.begin(), fit.shots.end(), [&](int i) {
-    return job.shots[i].material == static_cast<int>(material) && job.shots[i].is_number();
+    return meets(job, job.shots[i], static_cast<int>(material)) && job.shots[i].is_number();
   });
   return measured && (material == 0 || job.materials[material].rate_factor);
 }

@@ -44,6 +44,17 @@ struct CalibrationMaterial {
   std::optional<double> curve_modulus;  // Pa, true, of its stress-stretch curve: shown beside ours, used nowhere
 };
 
+// What is shot into: a material, or one with others on top of it. The job's materials themselves come first, in their order.
+struct TargetCover {
+  int material = 0;      // of CalibrationJob::materials
+  double thickness = 0;  // m
+};
+struct CalibrationTarget {
+  std::string name;
+  int material = 0;                      // the one below all
+  std::vector<TargetCover> covers = {};  // the next to it first
+};
+
 // What was seen of a shot: its depth; a depth that is no smaller or no larger than one; whether it passed its layer; the speed that was
 // left to it behind the layer.
 enum class ShotDatum { depth, at_least, at_most, passed, stopped, speed_left, none };
@@ -64,10 +75,10 @@ inline bool is_of_passage(ShotDatum datum) {
   return datum == ShotDatum::passed || datum == ShotDatum::stopped || datum == ShotDatum::speed_left;
 }
 
-// A sphere shot into a material.
+// A sphere shot into a target.
 struct MeasuredShot : SphereShot {  // all shots of a job have one width in radii
   std::string label;
-  int material = 0;        // of CalibrationJob::materials
+  int target = 0;          // of CalibrationJob::targets
   double speed_error = 0;  // m/s, standard deviation
   ShotDatum datum = ShotDatum::depth;
   double depth =
@@ -149,6 +160,7 @@ struct CalibrationJob {
   std::string file, title, text;  // text: the file as it stands
   std::vector<CalibrationParameter> parameters;
   std::vector<CalibrationMaterial> materials;
+  std::vector<CalibrationTarget> targets;
   std::vector<ScatterGroup> groups;
   std::vector<ShotSet> sets;
   std::vector<MeasuredShot> shots;
@@ -163,6 +175,22 @@ struct CalibrationJob {
   double level = 0.95;
   int bootstrap = 200;
 };
+
+// Whether it is the target, or lies on top of it.
+inline bool is_in(const CalibrationTarget& target, int material) {
+  return target.material == material ||
+         std::ranges::any_of(target.covers, [=](const TargetCover& cover) { return cover.material == material; });
+}
+inline bool meets(const CalibrationJob& job, const MeasuredShot& shot, int material) {
+  return is_in(job.targets[shot.target], material);
+}
+
+// The most covers that a target of the job has.
+inline std::size_t covers_of(const CalibrationJob& job) {
+  std::size_t most = 0;
+  for (const CalibrationTarget& target : job.targets) most = std::max(most, target.covers.size());
+  return most;
+}
 
 // Whether erosion is judged over a length. The same share of it is then an element for spheres of every size.
 inline bool has_erosion_length(const CalibrationJob& job) {

@@ -10,12 +10,12 @@ namespace {
 
 constexpr int sample_size = 120;  // points of the sample
 
-// The scatter groups of a material's fitted shots, of all its shots where none is fitted, of all shots where it has none.
-std::vector<int> groups_of(const CalibrationJob& job, int material) {
+// The scatter groups of a target's fitted shots, of all its shots where none is fitted, of all shots where it has none.
+std::vector<int> groups_of(const CalibrationJob& job, int target) {
   std::vector<int> fitted, own, all;
   for (const MeasuredShot& shot : job.shots) {
     all.push_back(shot.group);
-    if (shot.material != material) continue;
+    if (shot.target != target) continue;
     own.push_back(shot.group);
     if (shot.used) fitted.push_back(shot.group);
   }
@@ -27,10 +27,10 @@ std::vector<int> groups_of(const CalibrationJob& job, int material) {
 ShotHypothesis for_shots(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit) {
   const Hypothesis& read = job.hypotheses[hypothesis];
   ShotHypothesis kept{.name = read.name, .materials = {}};
-  for (std::size_t m = 0; m < job.materials.size(); ++m) {
-    const auto groups = groups_of(job, static_cast<int>(m));
+  for (std::size_t t = 0; t < job.targets.size(); ++t) {
+    const auto groups = groups_of(job, static_cast<int>(t));
     const int group = *std::ranges::max_element(groups, {}, [&](int g) { return fit.best().scatter[g]; });
-    kept.materials.push_back({.name = job.materials[m].name,
+    kept.materials.push_back({.name = job.targets[t].name,
                               .points = {},
                               .scatter = fit.best().scatter[group],
                               .freedom = scatter_freedom(fit, group)});
@@ -38,8 +38,8 @@ ShotHypothesis for_shots(const CalibrationJob& job, int hypothesis, const JobMod
   constexpr double as_the_data_say = 1;
   for (const Eigen::VectorXd& at : plausible_points(fit, sample_size, as_the_data_say, job.training.seed)) {
     const auto natural = natural_values(job, read, model.of_job, at);
-    for (std::size_t m = 0; m < job.materials.size(); ++m)
-      kept.materials[m].points.push_back(material_at(job, read, static_cast<int>(m), natural));
+    for (std::size_t t = 0; t < job.targets.size(); ++t)
+      kept.materials[t].points.push_back(target_at(job, read, job.targets[t], natural));
   }
   return kept;
 }
@@ -59,7 +59,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
     FiredShot fired{};
     static_cast<SphereShot&>(fired) = shot;
     fired.label = shot.label;
-    fired.material = shot.material;
+    fired.material = shot.target;
     if (shot.datum != ShotDatum::none && shot.datum != ShotDatum::at_most && shot.datum != ShotDatum::stopped)
       fired.depth = shot.datum == ShotDatum::speed_left ? shot.layer_depth : shot.depth;
     fired.seen = word(shot.datum);
@@ -71,7 +71,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
     found.for_shots.mesh_error = found.mesh_error;
     kept.hypotheses.push_back(std::move(found.for_shots));
   }
-  const LayerMaterial& material = kept.hypotheses.front().materials[kept.shots.front().material].points.front();
+  const CoveredMaterial& material = kept.hypotheses.front().materials[kept.shots.front().material].points.front();
   Scene scene;
   scene.mesh.elements_per_radius = mesh_of(kept.shots.front(), material, kept.elements);
   scene.solver = job.solver;

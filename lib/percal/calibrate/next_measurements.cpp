@@ -22,10 +22,10 @@ std::vector<MeasuredShot> imagined_shots(const CalibrationJob& job) {
   std::vector<MeasuredShot> imagined;
   std::set<std::tuple<int, double, double>> seen;
   for (const MeasuredShot& shot : job.shots) {
-    if (!seen.insert({shot.material, shot.radius, shot.density}).second) continue;
+    if (!seen.insert({shot.target, shot.radius, shot.density}).second) continue;
     double slowest = shot.speed, fastest = shot.speed;
     for (const MeasuredShot& other : job.shots) {
-      if (other.material != shot.material) continue;
+      if (other.target != shot.target) continue;
       slowest = std::min(slowest, other.speed);
       fastest = std::max(fastest, other.speed);
     }
@@ -34,7 +34,7 @@ std::vector<MeasuredShot> imagined_shots(const CalibrationJob& job) {
       next.datum = ShotDatum::depth;
       next.speed = slower * slowest + (faster * fastest - slower * slowest) * k / (speeds - 1);
       next.label = fmt::format("a shot of {:.3g} mm, {:.0f} kg/m3 into {} at {:.0f} m/s", 2e3 * shot.radius,
-                               shot.density, job.materials[shot.material].name, next.speed);
+                               shot.density, job.targets[shot.target].name, next.speed);
       imagined.push_back(next);
     }
   }

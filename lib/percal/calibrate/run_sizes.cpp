@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "percal/base/error.hpp"
 #include "percal/calibrate/shot_problem.hpp"
@@ -28,8 +29,8 @@ std::vector<double> natural_at(const CalibrationJob& job, End length) {
   return natural;
 }
 
-MaterialAt material_of(const CalibrationJob& job, const MeasuredShot& shot, End length) {
-  return material_at(job, job.hypotheses.front(), shot.material, natural_at(job, length));
+CoveredMaterial material_of(const CalibrationJob& job, const MeasuredShot& shot, End length) {
+  return target_at(job, job.hypotheses.front(), job.targets[shot.target], natural_at(job, length));
 }
 
 // "3 of 9 shots, first \"gold 2 um at 651 m/s\""; empty where `is_meant` is true of none.
@@ -67,13 +68,34 @@ void refuse_what_is_too_coarse(const CalibrationJob& job) {
                    "a shorter erosion length, best below half a radius of the smallest sphere, or more elements in it");
 }
 
+// A cover that is not two elements thick is hardly there.
+void refuse_covers_too_thin(const CalibrationJob& job) {
+  constexpr double fewest_rows = 2;
+  const auto too_thin = [&](const MeasuredShot& shot) {
+    return std::ranges::any_of(job.targets[shot.target].covers, [&](const TargetCover& cover) {
+      return cover.thickness / shot.radius * coarsest_drawn(job, shot) < fewest_rows;
+    });
+  };
+  const std::string shots = counted_shots(job, too_thin);
+  if (shots.empty()) return;
+  const MeasuredShot& first = *std::ranges::find_if(job.shots, too_thin);
+  const auto& covers = job.targets[first.target].covers;
+  const double thinnest = std::ranges::min_element(covers, {}, &TargetCover::thickness)->thickness;
+  const double wanted = fewest_rows * first.radius / thinnest;
+  throw BadInput(
+      Place{job.file, 0, "training.coarse"},
+      fmt::format("a cover of fewer than two elements on the coarsest meshes: {}", shots),
+      fmt::format("coarse = {:.0f} or more, or a target without that cover", std::ceil(wanted + phase_span / 2)));
+}
+
 }  // namespace
 
 RunSize largest_run(const CalibrationJob& job) {
   const auto verifying = [&](const MeasuredShot& shot) {
-    const MaterialAt material = material_of(job, shot, End::shortest);
+    const CoveredMaterial material = material_of(job, shot, End::shortest);
     return shot_problem(job, shot, material, mesh_of(shot, material, job.training.verify));
   };
+  refuse_covers_too_thin(job);
   if (has_erosion_length(job)) {
     refuse_what_is_too_coarse(job);
     const auto too_large = [&](const MeasuredShot& shot) { return is_too_large(verifying(shot)); };

@@ -40,7 +40,15 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
   return at;
 }
 
-Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+CoveredMaterial target_at(const CalibrationJob& job, const Hypothesis& hypothesis, const CalibrationTarget& target,
+                          const std::vector<double>& natural) {
+  CoveredMaterial at{material_at(job, hypothesis, target.material, natural)};
+  for (const TargetCover& cover : target.covers)
+    at.covers.push_back({material_at(job, hypothesis, cover.material, natural), cover.thickness});
+  return at;
+}
+
+Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const CoveredMaterial& material,
                  double elements_per_radius) {
   Scene scene;
   scene.source = job.file;
@@ -50,7 +58,7 @@ Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const Mate
   return scene_of_shot(std::move(scene), shot, material);
 }
 
-Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const CoveredMaterial& material,
                      double elements_per_radius) {
   return reduce(shot_scene(job, shot, material, elements_per_radius)).problem;
 }

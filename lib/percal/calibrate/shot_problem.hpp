@@ -21,10 +21,14 @@ struct MaterialAt : LayerMaterial {
 MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, int material,
                        const std::vector<double>& natural);
 
+// The same for what is shot into, a material with its covers.
+CoveredMaterial target_at(const CalibrationJob& job, const Hypothesis& hypothesis, const CalibrationTarget& target,
+                          const std::vector<double>& natural);
+
 // The run that answers for a shot, in SI and without dimensions.
-Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const CoveredMaterial& material,
                  double elements_per_radius);
-Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const MaterialAt& material,
+Problem shot_problem(const CalibrationJob& job, const MeasuredShot& shot, const CoveredMaterial& material,
                      double elements_per_radius);
 
 }  // namespace percal

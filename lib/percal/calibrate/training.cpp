@@ -51,7 +51,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
     }
     const auto shots = static_cast<double>(job_.shots.size());
     const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
-    const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
+    const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
     const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
     const double mesh = mesh_of(shot, material, fine ? job_.training.fine : job_.training.coarse);
     Problem problem = shot_problem(job_, shot, material, drawn_mesh(mesh, job_.training.seed, next_point_ + k));
@@ -153,12 +153,12 @@ void Training::take_foreign_runs() {
   std::vector<double> natural;
   for (const auto& [kind, free] : job_.parameters) natural.push_back(free.natural(free.middle()));
   const MeasuredShot& shot = job_.shots.front();
-  const MaterialAt material = material_at(job_, hypothesis_, shot.material, natural);
+  const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
   const std::string setting =
       setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
   const auto usable = [&](const StoredSphere& s) {
-    return s.reach && (learns_passage(job_) || s.outcome == word(Outcome::stopped)) &&
-           setting_of(s.problem) == setting &&
+    return s.reach && s.problem.below.size() <= covers_of(job_) &&
+           (learns_passage(job_) || s.outcome == word(Outcome::stopped)) && setting_of(s.problem) == setting &&
            s.problem.elements_per_radius >=
                std::min(job_.training.coarse, coarsest_foreign) / erosion_length(s.problem).value_or(1) -
                    phase_span / 2;

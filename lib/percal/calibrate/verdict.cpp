@@ -23,7 +23,7 @@ bool has_curves(const CalibrationJob& job, int material) {
 }
 
 bool has_fitted_depths(const CalibrationJob& job, const JobFit& fit, int material) {
-  return std::ranges::any_of(fit.shots, [&](int i) { return job.shots[i].material == material; });
+  return std::ranges::any_of(fit.shots, [&](int i) { return meets(job, job.shots[i], material); });
 }
 
 // The number that the job's parameters have beside them while a rate factor is free.

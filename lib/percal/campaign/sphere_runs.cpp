@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,7 +19,18 @@ namespace {
 static_assert(phase_span < one_mesh_span, "the phases of one mesh must not be taken for several meshes");
 
 bool is_for_an_emulator(const Problem& problem) {
-  return problem.geometry == Geometry::axisymmetric && std::holds_alternative<StrainErosion>(problem.erosion);
+  return problem.geometry == Geometry::axisymmetric && std::holds_alternative<StrainErosion>(problem.erosion) &&
+         problem.below.size() <= most_covers &&
+         std::ranges::all_of(problem.below, [](const LowerLayer& layer) { return layer.erosion_limit > 0 && std::isfinite(layer.erosion_limit); });
+}
+
+double engineering_strain(double limit, StrainMeasure measure) {
+  return strain_at(stretch_at(limit, measure), StrainMeasure::engineering);
+}
+
+// Of the layer's n-th boundary from the top, in radii: as its rows of elements have it.
+double boundary(const Problem& p, std::size_t n) {
+  return std::round(p.lower_faces()[n] * p.elements_per_radius) / p.elements_per_radius;
 }
 
 std::optional<double> reach_of(const Problem& problem, const StoredEvaluation& evaluation, const Store& store) {
@@ -59,15 +71,27 @@ double element_size(const Problem& problem) {
 
 SphereInputs inputs_of(const Problem& p) {
   const auto& erosion = std::get<StrainErosion>(p.erosion);
-  const double strain = strain_at(stretch_at(erosion.limit, erosion.measure), StrainMeasure::engineering);
-  const double pi4 = p.pi4 * p.speed_factor * p.speed_factor;
-  return {.log_pi4 = std::log(pi4),
-          .log_pi5 = -std::log(p.density_ratio),
-          .alpha = p.alpha,
-          .erosion_strain = strain,
-          .log_layer_depth = std::log(p.depth),
-          .log_bulk_ratio = std::log(p.bulk_ratio),
-          .log_erosion_length = log_erosion_length(erosion_length(p))};
+  std::vector<LowerLayer> layers{
+      {.depth = p.depth, .mu = p.mu(), .alpha = p.alpha, .bulk_ratio = p.bulk_ratio, .erosion_limit = erosion.limit}};
+  layers.insert(layers.end(), p.below.begin(), p.below.end());
+  const LowerLayer& last = layers.back();
+  SphereInputs at{.log_pi4 = std::log(last.density / last.mu * p.speed_factor * p.speed_factor),
+                  .log_pi5 = std::log(last.density / p.density_ratio),
+                  .alpha = last.alpha,
+                  .erosion_strain = engineering_strain(last.erosion_limit, erosion.measure),
+                  .log_layer_depth = std::log(p.whole_depth()),
+                  .log_bulk_ratio = std::log(last.bulk_ratio),
+                  .log_erosion_length = log_erosion_length(erosion_length(p))};
+  for (std::size_t k = 0; k < p.below.size(); ++k) {
+    const std::size_t n = p.below.size() - 1 - k;
+    lay_on(at, cover_members[k],
+           {.thickness = boundary(p, n) - (n == 0 ? 0 : boundary(p, n - 1)),
+            .density = layers[n].density / last.density,
+            .mu = layers[n].mu / last.mu,
+            .alpha = layers[n].alpha,
+            .erosion_strain = engineering_strain(layers[n].erosion_limit, erosion.measure)});
+  }
+  return at;
 }
 
 // The key of the problem with everything that an emulator knows of set to 1.
@@ -75,6 +99,7 @@ std::string setting_of(const Problem& problem) {
   Problem plain = problem;
   plain.pi4 = plain.density_ratio = plain.alpha = plain.depth = plain.bulk_ratio = plain.speed_factor = 1;
   plain.erosion = StrainErosion{1};
+  plain.below.clear();
   if (erosion_length(problem)) plain.erosion_average = AverageWithin{1};
   if (plain.graded_columns == usual_graded_columns(plain)) plain.graded_columns = 0;
   plain.elements_per_radius = 1;

@@ -19,8 +19,8 @@ struct StoredSphere {
   double cpu_seconds = 0;
 };
 
-// Every evaluation of the store that this solver version made at this machine's instruction level of a rigid sphere in one layer
-// that erodes by strain, axisymmetric and without relaxation; in the order of the keys. Throws IoFailure.
+// Every evaluation of the store that this solver version made at this machine's instruction level of a rigid sphere in one layer,
+// or in one with covers, that erodes by strain, axisymmetric and without relaxation; in the order of the keys. Throws IoFailure.
 std::vector<StoredSphere> stored_spheres(const Store& store);
 // What their keys begin with.
 std::string stored_spheres_prefix();
@@ -35,7 +35,7 @@ double log_erosion_length(const std::optional<double>& radii);
 double element_size(const Problem& problem);
 
 // Of a problem with StrainErosion. The strain is the engineering one, whatever the problem's measure: a limit is a critical stretch. A
-// replicate's speed f v is the speed: pi4 f^2.
+// replicate's speed f v is the speed: pi4 f^2. Of several layers the lowest is the one that the others cover, each as thick as its rows of elements.
 SphereInputs inputs_of(const Problem& problem);
 
 // Whatever else decides the depth, but the sizes of the elements and of an erosion length: two problems with the same text belong to one emulator. Contact,

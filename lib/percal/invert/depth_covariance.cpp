@@ -39,27 +39,58 @@ LogErosionEnergy log_erosion_energy(double alpha, double strain) {
 }
 
 Eigen::VectorXd depth_features(const SphereInputs& at) {
+  const double energy = log_erosion_energy(at.alpha, at.erosion_strain).value;
   Eigen::VectorXd features = in_order(at);
-  features[index_of(&SphereInputs::log_pi4)] -= log_erosion_energy(at.alpha, at.erosion_strain).value;
+  features[index_of(&SphereInputs::log_pi4)] -= energy;
+  for (const CoverMembers& cover : cover_members) {
+    const double weight = at.*cover.depth;
+    for (double SphereInputs::*number : {cover.log_density, cover.log_mu, cover.alpha, cover.strain})
+      features[index_of(number)] = 0;
+    if (weight == 0) continue;
+    const double cover_energy = log_erosion_energy(at.*cover.alpha, at.*cover.strain).value;
+    features[index_of(cover.log_density)] = weight * at.*cover.log_density;
+    features[index_of(cover.log_mu)] = weight * (at.*cover.log_mu + cover_energy - energy);
+    features[index_of(cover.alpha)] = weight * (at.*cover.alpha - at.alpha);
+    features[index_of(cover.strain)] = weight * (at.*cover.strain - at.erosion_strain);
+  }
   return features;
 }
 
 Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features) {
+  const int alpha = index_of(&SphereInputs::alpha), strain = index_of(&SphereInputs::erosion_strain);
   const LogErosionEnergy energy = log_erosion_energy(at.alpha, at.erosion_strain);
   const double by_log_pi4 = by_features[index_of(&SphereInputs::log_pi4)];
   Eigen::VectorXd gradient = by_features;
-  gradient[index_of(&SphereInputs::alpha)] -= by_log_pi4 * energy.by_alpha;
-  gradient[index_of(&SphereInputs::erosion_strain)] -= by_log_pi4 * energy.by_strain;
+  gradient[alpha] -= by_log_pi4 * energy.by_alpha;
+  gradient[strain] -= by_log_pi4 * energy.by_strain;
+  for (const CoverMembers& cover : cover_members) {
+    const double weight = at.*cover.depth;
+    for (double SphereInputs::*number : {cover.log_density, cover.log_mu, cover.alpha, cover.strain})
+      gradient[index_of(number)] = 0;
+    if (weight == 0) continue;
+    const LogErosionEnergy own = log_erosion_energy(at.*cover.alpha, at.*cover.strain);
+    const double by_density = by_features[index_of(cover.log_density)], by_energy = by_features[index_of(cover.log_mu)],
+                 by_alpha = by_features[index_of(cover.alpha)], by_strain = by_features[index_of(cover.strain)];
+    gradient[index_of(cover.depth)] +=
+        by_density * at.*cover.log_density + by_energy * (at.*cover.log_mu + own.value - energy.value) +
+        by_alpha * (at.*cover.alpha - at.alpha) + by_strain * (at.*cover.strain - at.erosion_strain);
+    gradient[index_of(cover.log_density)] = weight * by_density;
+    gradient[index_of(cover.log_mu)] = weight * by_energy;
+    gradient[index_of(cover.alpha)] = weight * (by_alpha + by_energy * own.by_alpha);
+    gradient[index_of(cover.strain)] = weight * (by_strain + by_energy * own.by_strain);
+    gradient[alpha] -= weight * (by_alpha + by_energy * energy.by_alpha);
+    gradient[strain] -= weight * (by_strain + by_energy * energy.by_strain);
+  }
   return gradient;
 }
 
 Eigen::VectorXd InputScale::scaled(const SphereInputs& at) const {
-  return (depth_features(at).head(inputs()) - centre).cwiseQuotient(half_range);
+  return (depth_features(at)(seen) - centre).cwiseQuotient(half_range);
 }
 
 Eigen::VectorXd InputScale::unscaled_gradient(const SphereInputs& at, const Eigen::VectorXd& by_scaled) const {
   Eigen::VectorXd by_features = Eigen::VectorXd::Zero(sphere_inputs);
-  by_features.head(inputs()) = by_scaled.cwiseQuotient(half_range);
+  by_features(seen) = by_scaled.cwiseQuotient(half_range);
   return by_inputs(at, by_features);
 }
 
@@ -70,12 +101,15 @@ InputScale scale_of(const std::vector<TrainingRun>& runs) {
     low = low.cwiseMin(features);
     high = high.cwiseMax(features);
   }
-  InputScale scale{0.5 * (low + high), 0.5 * (high - low)};
-  const auto varies = [&](int j) { return scale.half_range[j] > smallest_range * (1 + std::abs(scale.centre[j])); };
-  const int seen = varies(index_of(&SphereInputs::log_erosion_length)) ? sphere_inputs : inputs_without_length;
-  for (int j = 0; j < seen; ++j)
-    if (!varies(j)) scale.half_range[j] = 1;
-  return {scale.centre.head(seen), scale.half_range.head(seen)};
+  const Eigen::VectorXd centre = 0.5 * (low + high);
+  Eigen::VectorXd half_range = 0.5 * (high - low);
+  std::vector<int> seen;
+  for (int j = 0; j < sphere_inputs; ++j) {
+    const bool varies = half_range[j] > smallest_range * (1 + std::abs(centre[j]));
+    if (!varies) half_range[j] = 1;
+    if (varies || j < inputs_of_all) seen.push_back(j);
+  }
+  return {seen, centre(seen), half_range(seen)};
 }
 
 CovarianceParameters covariance_parameters(const EmulatorSettings& settings, const InputScale& scale) {
@@ -88,8 +122,8 @@ CovarianceParameters covariance_parameters(const EmulatorSettings& settings, con
   parameters.noise = settings.noise;
   parameters.noise_order = settings.noise_order;
   for (int j = 0; j < scale.inputs(); ++j) {
-    parameters.length[j] = settings.length[j] / scale.half_range[j];
-    parameters.mesh_length[j] = settings.mesh_length[j] / scale.half_range[j];
+    parameters.length[j] = settings.length[scale.seen[j]] / scale.half_range[j];
+    parameters.mesh_length[j] = settings.mesh_length[scale.seen[j]] / scale.half_range[j];
   }
   return parameters;
 }

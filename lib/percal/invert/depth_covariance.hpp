@@ -17,14 +17,17 @@ LogErosionEnergy log_erosion_energy(double alpha, double strain);
 
 // What the covariance sees of the inputs: the first, ln pi4, becomes the logarithm of the impact's energy density over that which a
 // tension test puts into the material until it erodes, ln pi4 - ln(W/mu). Depths depend on that number most.            (2)
+// A cover's numbers become its differences to the covered layer, times ln(1 + t/a), and its modulus the energy density until it erodes: a
+// thin cover is as good as none, and one of the same material, too.                                                     (2a)
 Eigen::VectorXd depth_features(const SphereInputs& at);
 
 // Of a function with this gradient with respect to the features.
 Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features);
 
-// The features are shifted and scaled so that those of the runs lie in [-1, 1]. One that never varies keeps its
-// own unit, but for the erosion length, which then is left out. "Inputs" below are these scaled features.
+// The features are shifted and scaled so that those of the runs lie in [-1, 1]. Of those that never vary the first inputs_of_all keep
+// their own unit, and the others are left out. "Inputs" below are these scaled features.
 struct InputScale {
+  std::vector<int> seen;               // which features
   Eigen::VectorXd centre, half_range;  // of inputs()
 
   int inputs() const { return static_cast<int>(centre.size()); }

@@ -23,9 +23,11 @@ const std::vector<TrainingRun>& checked(const std::vector<TrainingRun>& runs) {
                    fmt::format("{} or more", fewest_training_runs));
   for (const TrainingRun& run : runs) {
     if (!in_order(run.at).allFinite() || !std::isfinite(run.log_depth) || !std::isfinite(run.h) || !(run.h > 0) ||
-        !(run.at.erosion_strain > 0))
+        !(run.at.erosion_strain > 0) || std::ranges::any_of(cover_members, [&](const CoverMembers& cover) {
+          return run.at.*cover.depth != 0 && !(run.at.*cover.depth > 0 && run.at.*cover.strain > 0);
+        }))
       throw BadInput({}, "a run to learn from whose numbers cannot be those of an impact",
-                     "finite numbers, an element size and an erosion strain above 0");
+                     "finite numbers, an element size and erosion strains above 0");
   }
   return runs;
 }
@@ -44,6 +46,14 @@ Eigen::VectorXd in_order(const SphereInputs& at) {
   Eigen::VectorXd all(sphere_inputs);
   for (int k = 0; k < sphere_inputs; ++k) all[k] = at.*sphere_input_order[k];
   return all;
+}
+
+void lay_on(SphereInputs& at, const CoverMembers& place, const CoverNumbers& cover) {
+  at.*place.depth = std::log1p(cover.thickness);
+  at.*place.log_density = std::log(cover.density);
+  at.*place.log_mu = std::log(cover.mu);
+  at.*place.alpha = cover.alpha;
+  at.*place.strain = cover.erosion_strain;
 }
 
 struct Emulator::State {

@@ -2,6 +2,7 @@
 // one setting of the solver (strain measure, contact, ...), with the mesh as a variable of its own. docs/theory/emulator.md
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -18,17 +19,54 @@ struct SphereInputs {
   double log_layer_depth = 0;     // ln(L/a)
   double log_bulk_ratio = 0;      // ln(K/mu)
   double log_erosion_length = 0;  // ln(l/a); 0 where each element is judged by itself
+  // Of layers on top of the one that all of the above is of, which are covers of it; the next to it first. All 0 where there is none.
+  double cover_depth = 0;                          // ln(1 + t/a), t its thickness
+  double cover_log_density = 0, cover_log_mu = 0;  // ln of either over the covered layer's
+  double cover_alpha = 0, cover_strain = 0;        // as alpha and erosion_strain
+  double second_depth = 0, second_log_density = 0, second_log_mu = 0, second_alpha = 0, second_strain = 0;
   bool operator==(const SphereInputs&) const = default;
 };
 
 // Their order in vectors, lengths and gradients.
-inline constexpr std::array sphere_input_order{
-    &SphereInputs::log_pi4,           &SphereInputs::log_pi5,         &SphereInputs::alpha,
-    &SphereInputs::erosion_strain,    &SphereInputs::log_layer_depth, &SphereInputs::log_bulk_ratio,
-    &SphereInputs::log_erosion_length};
+inline constexpr std::array sphere_input_order{&SphereInputs::log_pi4,
+                                               &SphereInputs::log_pi5,
+                                               &SphereInputs::alpha,
+                                               &SphereInputs::erosion_strain,
+                                               &SphereInputs::log_layer_depth,
+                                               &SphereInputs::log_bulk_ratio,
+                                               &SphereInputs::log_erosion_length,
+                                               &SphereInputs::cover_depth,
+                                               &SphereInputs::cover_log_density,
+                                               &SphereInputs::cover_log_mu,
+                                               &SphereInputs::cover_alpha,
+                                               &SphereInputs::cover_strain,
+                                               &SphereInputs::second_depth,
+                                               &SphereInputs::second_log_density,
+                                               &SphereInputs::second_log_mu,
+                                               &SphereInputs::second_alpha,
+                                               &SphereInputs::second_strain};
 inline constexpr int sphere_inputs = sphere_input_order.size();
-// The first so many are of every sphere; the last belongs to those alone that are judged over a length.
-inline constexpr int inputs_without_length = sphere_inputs - 1;
+// The first so many are of every sphere; the others are left out of an emulator none of whose runs varies them.
+inline constexpr int inputs_of_all = 6;
+inline constexpr int inputs_without_covers = inputs_of_all + 1;
+
+// Where a cover's numbers are.
+struct CoverMembers {
+  double SphereInputs::*depth, SphereInputs::*log_density, SphereInputs::*log_mu, SphereInputs::*alpha,
+      SphereInputs::*strain;
+};
+inline constexpr std::array cover_members{
+    CoverMembers{&SphereInputs::cover_depth, &SphereInputs::cover_log_density, &SphereInputs::cover_log_mu,
+                 &SphereInputs::cover_alpha, &SphereInputs::cover_strain},
+    CoverMembers{&SphereInputs::second_depth, &SphereInputs::second_log_density, &SphereInputs::second_log_mu,
+                 &SphereInputs::second_alpha, &SphereInputs::second_strain}};
+inline constexpr int most_covers = cover_members.size();
+
+// A cover of a layer: its thickness in radii, density and modulus over the layer's.
+struct CoverNumbers {
+  double thickness = 0, density = 1, mu = 1, alpha = 0, erosion_strain = 0;
+};
+void lay_on(SphereInputs& at, const CoverMembers& place, const CoverNumbers& cover);
 constexpr int index_of(double SphereInputs::*input) {
   int k = 0;
   while (sphere_input_order[k] != input) ++k;
@@ -47,7 +85,7 @@ struct TrainingRun {
 // see depth_covariance.hpp.
 struct EmulatorSettings {
   double amplitude = 1;                        // standard deviation of the smooth part
-  std::array<double, sphere_inputs> length{};  // 0 of an erosion length that no run varies
+  std::array<double, sphere_inputs> length{};  // 0 of an input that is left out
   double mesh_amplitude = 0;                   // of the part that the mesh adds, at h = 0.1
   std::array<double, sphere_inputs> mesh_length{};
   double mesh_order = 1;   // it goes as h^order
@@ -56,7 +94,9 @@ struct EmulatorSettings {
   double log_likelihood = 0;
   int evaluations = 0;  // of the likelihood
 
-  int inputs() const { return length.back() > 0 ? sphere_inputs : inputs_without_length; }
+  int inputs() const {
+    return static_cast<int>(std::ranges::count_if(length, [](double one) { return one > 0; }));
+  }
 };
 
 struct EmulatorOptions {
@@ -67,7 +107,7 @@ struct EmulatorOptions {
 // Of the smooth depth, without the solver's noise.
 struct DepthAnswers {
   Eigen::VectorXd log_depth;
-  Eigen::MatrixXd gradient;    // points x sphere_inputs; 0 by an erosion length that no run varies
+  Eigen::MatrixXd gradient;    // points x sphere_inputs; 0 by an input that is left out
   Eigen::MatrixXd covariance;  // points x points; empty where not wanted
 };
 
@@ -82,7 +122,7 @@ struct LeaveOneOut {
 // Elements per radius, or per erosion length: runs no further apart are on one mesh, in different phases, and tell nothing of the element size.
 inline constexpr double one_mesh_span = 1.7 * (1 + 1e-9);
 
-inline constexpr int fewest_training_runs = 2 * inputs_without_length;
+inline constexpr int fewest_training_runs = 2 * inputs_of_all;
 
 class Emulator {
  public:

@@ -196,8 +196,8 @@ EmulatorSettings in_input_units(const CovarianceParameters& p, const InputScale&
   settings.noise = p.noise;
   settings.noise_order = p.noise_order;
   for (int j = 0; j < scale.inputs(); ++j) {
-    settings.length[j] = p.length[j] * scale.half_range[j];
-    settings.mesh_length[j] = p.mesh_length[j] * scale.half_range[j];
+    settings.length[scale.seen[j]] = p.length[j] * scale.half_range[j];
+    settings.mesh_length[scale.seen[j]] = p.mesh_length[j] * scale.half_range[j];
   }
   return settings;
 }

@@ -138,7 +138,7 @@ MeanOfRuns mean_reach(const Problem& problem, const std::vector<Evaluation>& run
 }  // namespace
 
 void check_by_runs(Prediction& prediction, const ShotModel& model, Campaign& campaign) {
-  const LayerMaterial& material =
+  const CoveredMaterial& material =
       model.hypotheses[prediction.request.hypothesis].materials[prediction.request.material].points.front();
   std::vector<Problem> problems;
   std::vector<Reduction> reductions;

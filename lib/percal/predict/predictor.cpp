@@ -48,10 +48,10 @@ Predictor::Predictor(const ShotModel& model, int hypothesis, int material, doubl
       material_(material),
       level_(level) {}
 
-MatrixXd Predictor::log_depths(std::span<const LayerMaterial> points, std::span<const SphereShot> shots) const {
+MatrixXd Predictor::log_depths(std::span<const CoveredMaterial> points, std::span<const SphereShot> shots) const {
   std::vector<SphereInputs> at;
   for (const SphereShot& shot : shots)
-    for (const LayerMaterial& point : points) at.push_back(shot_inputs(shot, point).at);
+    for (const CoveredMaterial& point : points) at.push_back(shot_inputs(shot, point).at);
   const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(shots.size());
   MatrixXd depths = emulator_.depth(at, 1 / model_->elements, false).log_depth.reshaped(rows, columns);
   for (Eigen::Index k = 0; k < columns; ++k) depths.col(k).array() += std::log(shots[k].radius);
@@ -100,7 +100,7 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
 SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double depth, double speed_error) const {
   const double begin = std::log(number_of(like, wanted)), reach = std::log(solved_within);
   const auto& points = material().points;
-  const auto excess = [&](const LayerMaterial& point, double log_number) {
+  const auto excess = [&](const CoveredMaterial& point, double log_number) {
     const SphereShot shot = with(like, wanted, std::exp(log_number));
     return log_depths(std::span(&point, 1), std::span(&shot, 1))(0, 0) - std::log(depth);
   };

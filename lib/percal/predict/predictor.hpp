@@ -56,7 +56,7 @@ class Predictor {
 
  private:
   // ln depth in m: of each point (rows) for each shot.
-  Eigen::MatrixXd log_depths(std::span<const LayerMaterial> points, std::span<const SphereShot> shots) const;
+  Eigen::MatrixXd log_depths(std::span<const CoveredMaterial> points, std::span<const SphereShot> shots) const;
   std::vector<std::string> outside(const SphereShot& shot) const;
 
   const ShotModel* model_;

@@ -18,7 +18,17 @@ constexpr const char* input_names[] = {"ln_pi4",
                                        "erosion_strain",
                                        "ln_depth_over_radius",
                                        "ln_bulk_ratio",
-                                       "ln_erosion_length_over_radius"};
+                                       "ln_erosion_length_over_radius",
+                                       "cover_ln_1_plus_thickness_over_radius",
+                                       "cover_ln_density_ratio",
+                                       "cover_ln_mu_ratio",
+                                       "cover_alpha",
+                                       "cover_erosion_strain",
+                                       "second_cover_ln_1_plus_thickness_over_radius",
+                                       "second_cover_ln_density_ratio",
+                                       "second_cover_ln_mu_ratio",
+                                       "second_cover_alpha",
+                                       "second_cover_erosion_strain"};
 static_assert(std::size(input_names) == sphere_inputs);
 
 double wanted(const Json& object, const std::string& key) {
@@ -27,10 +37,11 @@ double wanted(const Json& object, const std::string& key) {
   return *value;
 }
 
-// The first `inputs` of them, in the order of SphereInputs.
-Json lengths_to_json(const std::array<double, sphere_inputs>& length, int inputs) {
+// Of the inputs that are not left out.
+Json lengths_to_json(const std::array<double, sphere_inputs>& length) {
   Json all = Json::object();
-  for (int i = 0; i < inputs; ++i) all[input_names[i]] = page::finite(length[i]);
+  for (int i = 0; i < sphere_inputs; ++i)
+    if (length[i] > 0) all[input_names[i]] = page::finite(length[i]);
   return all;
 }
 
@@ -41,11 +52,10 @@ std::array<double, sphere_inputs> lengths_of(const Json& json) {
 }
 
 Json settings_to_json(const EmulatorSettings& settings) {
-  const int inputs = settings.inputs();
   return {{"amplitude", page::finite(settings.amplitude)},
-          {"length", lengths_to_json(settings.length, inputs)},
+          {"length", lengths_to_json(settings.length)},
           {"mesh_amplitude", page::finite(settings.mesh_amplitude)},
-          {"mesh_length", lengths_to_json(settings.mesh_length, inputs)},
+          {"mesh_length", lengths_to_json(settings.mesh_length)},
           {"mesh_order", page::finite(settings.mesh_order)},
           {"noise", page::finite(settings.noise)},
           {"noise_order", page::finite(settings.noise_order)},
@@ -65,10 +75,15 @@ EmulatorSettings settings_of(const Json& json) {
           .evaluations = static_cast<int>(wanted(json, "likelihood_evaluations"))};
 }
 
+// The inputs of a run under so many covers.
+int inputs_under(std::size_t covers) {
+  return inputs_without_covers + static_cast<int>(covers) * (sphere_inputs - inputs_without_covers) / most_covers;
+}
+
 // The inputs in the order of SphereInputs, the element's size and ln(depth/radius).
-Json run_to_json(const TrainingRun& run) {
+Json run_to_json(const TrainingRun& run, int inputs) {
   Json row = Json::array();
-  for (double SphereInputs::*input : sphere_input_order) row.push_back(run.at.*input);
+  for (int k = 0; k < inputs; ++k) row.push_back(run.at.*sphere_input_order[k]);
   row.push_back(run.h);
   row.push_back(run.log_depth);
   return row;
@@ -82,10 +97,10 @@ std::vector<double> row_of(const Json& json, std::size_t length, const char* key
   return row;
 }
 
-TrainingRun run_of(const Json& json) {
-  const auto row = row_of(json, sphere_inputs + 2, "runs");
-  TrainingRun run{.at = {}, .h = row[sphere_inputs], .log_depth = row[sphere_inputs + 1]};
-  for (int k = 0; k < sphere_inputs; ++k) run.at.*sphere_input_order[k] = row[k];
+TrainingRun run_of(const Json& json, int inputs) {
+  const auto row = row_of(json, static_cast<std::size_t>(inputs) + 2, "runs");
+  TrainingRun run{.at = {}, .h = row[inputs], .log_depth = row[inputs + 1]};
+  for (int k = 0; k < inputs; ++k) run.at.*sphere_input_order[k] = row[k];
   return run;
 }
 
@@ -112,17 +127,55 @@ LayerMaterial point_of(const Json& json, LayerMaterial point) {
   return point;
 }
 
-Json material_to_json(const MaterialSample& material) {
+// What all points of a layer have in common.
+Json layer_to_json(const LayerMaterial& layer) {
+  return {{"density_kg_m3", layer.density},
+          {"reference_rate_1_s", layer.laws.reference_rate},
+          {"reference_radius_m", layer.laws.reference_radius},
+          {"cell_m", layer.laws.cell}};
+}
+
+LayerMaterial layer_of(const Json& json) {
+  LayerMaterial layer{.density = wanted(json, "density_kg_m3"),
+                      .laws = {.reference_rate = wanted(json, "reference_rate_1_s"),
+                               .reference_radius = wanted(json, "reference_radius_m"),
+                               .cell = wanted(json, "cell_m")}};
+  if (!(layer.laws.reference_rate > 0 && layer.laws.reference_radius > 0)) throw page::MissingKey("reference_rate_1_s");
+  if (!(layer.density > 0)) throw page::MissingKey("density_kg_m3");
+  return layer;
+}
+
+Json cover_to_json(const MaterialSample& material, std::size_t k) {
   Json points = Json::array();
+  for (const CoveredMaterial& point : material.points) points.push_back(point_to_json(point.covers[k].material));
+  Json json = layer_to_json(material.points.front().covers[k].material);
+  json["thickness_m"] = material.points.front().covers[k].thickness;
+  json["points"] = std::move(points);
+  return json;
+}
+
+// Adds the cover to each of the material's points.
+void take_cover(const Json& json, MaterialSample& material) {
+  const LayerMaterial common = layer_of(json);
+  const double thickness = wanted(json, "thickness_m");
+  if (!(thickness > 0)) throw page::MissingKey("thickness_m");
+  const Json& points = list(json, "points");
+  if (points.size() != material.points.size()) throw page::MissingKey("points");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    material.points[i].covers.push_back({point_of(points[i], common), thickness});
+}
+
+Json material_to_json(const MaterialSample& material) {
+  Json points = Json::array(), covers = Json::array();
   for (const LayerMaterial& point : material.points) points.push_back(point_to_json(point));
-  return {{"name", material.name},
-          {"density_kg_m3", material.points.front().density},
-          {"reference_rate_1_s", material.points.front().laws.reference_rate},
-          {"reference_radius_m", material.points.front().laws.reference_radius},
-          {"cell_m", material.points.front().laws.cell},
-          {"scatter", page::finite(material.scatter)},
-          {"freedom", page::finite(material.freedom)},
-          {"points", points}};
+  for (std::size_t k = 0; k < material.points.front().covers.size(); ++k) covers.push_back(cover_to_json(material, k));
+  Json json = layer_to_json(material.points.front());
+  json.update({{"name", material.name},
+               {"scatter", page::finite(material.scatter)},
+               {"freedom", page::finite(material.freedom)},
+               {"points", points}});
+  if (!covers.empty()) json["covers"] = covers;
+  return json;
 }
 
 MaterialSample material_of(const Json& json) {
@@ -130,15 +183,12 @@ MaterialSample material_of(const Json& json) {
                           .points = {},
                           .scatter = wanted(json, "scatter"),
                           .freedom = wanted(json, "freedom")};
-  const LayerMaterial common{.density = wanted(json, "density_kg_m3"),
-                             .laws = {.reference_rate = wanted(json, "reference_rate_1_s"),
-                                      .reference_radius = wanted(json, "reference_radius_m"),
-                                      .cell = wanted(json, "cell_m")}};
-  for (const Json& point : list(json, "points")) material.points.push_back(point_of(point, common));
-  if (!(common.laws.reference_rate > 0 && common.laws.reference_radius > 0))
-    throw page::MissingKey("reference_rate_1_s");
-  if (material.points.empty() || !(common.density > 0 && material.scatter >= 0 && material.freedom >= 0))
-    throw page::MissingKey("points");
+  const LayerMaterial common = layer_of(json);
+  for (const Json& point : list(json, "points")) material.points.emplace_back(point_of(point, common));
+  if (material.points.empty() || !(material.scatter >= 0 && material.freedom >= 0)) throw page::MissingKey("points");
+  if (!page::maybe(json, "covers").is_null())
+    for (const Json& cover : list(json, "covers")) take_cover(cover, material);
+  if (material.points.front().covers.size() > most_covers) throw page::MissingKey("covers");
   return material;
 }
 
@@ -194,6 +244,14 @@ FiredShot shot_of(const Json& json, std::size_t materials) {
   return shot;
 }
 
+// The most covers of anything that can be shot into.
+std::size_t covers_of(const ShotModel& model) {
+  std::size_t most = 0;
+  for (const MaterialSample& material : model.hypotheses.front().materials)
+    most = std::max(most, material.points.front().covers.size());
+  return most;
+}
+
 }  // namespace
 
 std::optional<Between> numbers_of_shots(const std::vector<FiredShot>& shots, int material, Shots which,
@@ -210,7 +268,7 @@ std::optional<Between> numbers_of_shots(const std::vector<FiredShot>& shots, int
 Json shot_model_to_json(const ShotModel& model) {
   Json shots = Json::array(), runs = Json::array(), hypotheses = Json::array();
   for (const FiredShot& shot : model.shots) shots.push_back(shot_to_json(shot));
-  for (const TrainingRun& run : model.runs) runs.push_back(run_to_json(run));
+  for (const TrainingRun& run : model.runs) runs.push_back(run_to_json(run, inputs_under(covers_of(model))));
   for (const ShotHypothesis& hypothesis : model.hypotheses) hypotheses.push_back(hypothesis_to_json(hypothesis));
   return {{"level", model.level},
           {"elements", model.elements},
@@ -240,11 +298,11 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
                   .hypotheses = {}};
   if (!(model.level > 0 && model.level < 1)) throw page::MissingKey("level");
   if (!(model.elements > 0)) throw page::MissingKey("elements");
-  for (const Json& run : list(json, "runs")) model.runs.push_back(run_of(run));
   for (const Json& hypothesis : list(json, "hypotheses")) model.hypotheses.push_back(hypothesis_of(hypothesis));
   if (model.hypotheses.empty()) throw page::MissingKey("hypotheses");
   for (const ShotHypothesis& hypothesis : model.hypotheses)
     if (hypothesis.materials.size() != model.hypotheses.front().materials.size()) throw page::MissingKey("materials");
+  for (const Json& run : list(json, "runs")) model.runs.push_back(run_of(run, inputs_under(covers_of(model))));
   for (const Json& shot : list(json, "shots"))
     model.shots.push_back(shot_of(shot, model.hypotheses.front().materials.size()));
   if (model.shots.empty()) throw page::MissingKey("shots");

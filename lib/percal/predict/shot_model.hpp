@@ -12,19 +12,19 @@
 
 namespace percal {
 
-// A material under one hypothesis.
+// What can be shot into, a material or one with covers, under one hypothesis.
 struct MaterialSample {
   std::string name;
-  std::vector<LayerMaterial> points;  // the best first, then a sample of those that the data allow
-  double scatter = 0;                 // of ln depth of one shot about the model, standard deviation
-  double freedom = 0;                 // degrees of freedom that tell it; 0: it is known
+  std::vector<CoveredMaterial> points;  // the best first, then a sample of those that the data allow
+  double scatter = 0;                   // of ln depth of one shot about the model, standard deviation
+  double freedom = 0;                   // degrees of freedom that tell it; 0: it is known
 };
 
 struct ShotHypothesis {
   std::string name;
   bool contradicted = false;              // its data disagree under it
   double mesh_error = 0;                  // relative: depth on no mesh over depth on the predicting one, less 1
-  std::vector<MaterialSample> materials;  // in the order of the job, the same under every hypothesis
+  std::vector<MaterialSample> materials;  // in the order of the job's targets, the same under every hypothesis
 };
 
 // A shot that was fired.

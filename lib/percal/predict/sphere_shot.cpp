@@ -1,5 +1,7 @@
 #include "percal/predict/sphere_shot.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "percal/campaign/sphere_runs.hpp"
@@ -16,6 +18,48 @@ ChosenBulk chosen_bulk(double pi4) {
   const double subsonic = subsonic_bulk_ratio(pi4);
   if (subsonic <= least_bulk_ratio) return {least_bulk_ratio, 0};
   return {subsonic, (subsonic_bulk_ratio(2 * pi4) - subsonic) / subsonic};
+}
+
+// What a shot meets of a material: ln mu_true, alpha, erosion strain. By the material's numbers as ShotInputs has them.
+enum { met_log_mu, met_alpha, met_strain, met_numbers };
+enum { by_log_mu, by_alpha, by_strain, by_log_length, by_rate_exponent, by_size_exponent, by_strain_below };
+using ByMet = Eigen::Matrix<double, sphere_inputs, met_numbers>;
+
+Eigen::Matrix<double, met_numbers, 7> met_by_material(const LayerMaterial& of_reference, const SphereShot& shot) {
+  const MaterialLaws& laws = of_reference.laws;
+  Eigen::Matrix<double, met_numbers, 7> slopes = Eigen::Matrix<double, met_numbers, 7>::Zero();
+  slopes(met_log_mu, by_log_mu) = 1;
+  slopes(met_log_mu, by_rate_exponent) = std::log(shot.speed / shot.radius / laws.reference_rate);
+  slopes(met_alpha, by_alpha) = 1;
+  slopes(met_strain, is_below_cell(laws, shot.radius) ? by_strain_below : by_strain) = size_factor(laws, shot.radius);
+  slopes(met_strain, by_size_exponent) =
+      at_shot(of_reference, shot).erosion_strain * std::log(shot.radius / laws.reference_radius);
+  return slopes;
+}
+
+// The scene's layer goes below its covers, what they leave of its depth.
+void lay_covers_on(Scene& scene, const SphereShot& shot, const std::vector<Cover>& covers) {
+  scene.below.clear();
+  for (std::size_t k = 0; k < covers.size(); ++k) {
+    const LayerMaterial material = at_shot(covers[k].material, shot);
+    LayerScene& top = scene.target;
+    scene.below.insert(scene.below.begin(), {.name = top.name,
+                                             .density = top.density,
+                                             .mu_as_given = top.mu_as_given,
+                                             .alpha = top.alpha,
+                                             .depth = k == 0 ? 0 : covers[k - 1].thickness,  // the layer's own: below
+                                             .erosion_limit = std::get<StrainErosion>(top.erosion).limit});
+    top.name = covers.size() == 1 ? "cover" : fmt::format("cover {}", k + 1);
+    top.density = material.density;
+    top.mu_as_given = material.mu_true;
+    top.alpha = material.alpha;
+    top.erosion = StrainErosion{material.erosion_strain, StrainMeasure::engineering};
+  }
+  if (covers.empty()) return;
+  double on_top = 0;
+  for (const Cover& cover : covers) on_top += cover.thickness;
+  scene.below.back().depth = shot.layer_depth - on_top;
+  scene.target.depth = covers.back().thickness;
 }
 
 }  // namespace
@@ -45,7 +89,7 @@ LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot) {
   return there;
 }
 
-Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& of_reference) {
+Scene scene_of_shot(Scene scene, const SphereShot& shot, const CoveredMaterial& of_reference) {
   const LayerMaterial material = at_shot(of_reference, shot);
   scene.particle.radius = shot.radius;
   scene.particle.density = shot.density;
@@ -60,12 +104,12 @@ Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& of
                   .width = shot.layer_width,
                   .erosion = StrainErosion{material.erosion_strain, StrainMeasure::engineering}};
   if (material.erosion_length) scene.target.erosion_average = AverageWithin{*material.erosion_length};
+  lay_covers_on(scene, shot, of_reference.covers);
   return scene;
 }
 
-ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& of_reference) {
+ShotInputs shot_inputs(const SphereShot& shot, const CoveredMaterial& of_reference) {
   const LayerMaterial material = at_shot(of_reference, shot);
-  const MaterialLaws& laws = of_reference.laws;
   const double pi4 = material.density * shot.speed * shot.speed / material.mu_true;
   const auto [bulk, slope] = chosen_bulk(pi4);
   const auto in_radii = material.erosion_length ? std::optional(*material.erosion_length / shot.radius) : std::nullopt;
@@ -77,20 +121,33 @@ ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& of_reference
                .log_layer_depth = std::log(shot.layer_depth / shot.radius),
                .log_bulk_ratio = std::log(bulk),
                .log_erosion_length = log_erosion_length(in_radii)};
-  Eigen::Vector<double, sphere_inputs> by_log_pi4 = Eigen::Vector<double, sphere_inputs>::Zero();
-  by_log_pi4[index_of(&SphereInputs::log_pi4)] = 1;
-  by_log_pi4[index_of(&SphereInputs::log_bulk_ratio)] = slope;
-  enum { log_mu, alpha, erosion_strain, log_length, rate_exponent, size_exponent, strain_below };
-  inputs.by_material.setZero();
-  inputs.by_material.col(log_mu) = -by_log_pi4;
-  inputs.by_material(index_of(&SphereInputs::alpha), alpha) = 1;
-  const auto strain_met = is_below_cell(laws, shot.radius) ? strain_below : erosion_strain;
-  inputs.by_material(index_of(&SphereInputs::erosion_strain), strain_met) = size_factor(laws, shot.radius);
-  if (in_radii) inputs.by_material(index_of(&SphereInputs::log_erosion_length), log_length) = 1;
-  inputs.by_material.col(rate_exponent) = -by_log_pi4 * std::log(shot.speed / shot.radius / laws.reference_rate);
-  inputs.by_material(index_of(&SphereInputs::erosion_strain), size_exponent) =
-      material.erosion_strain * std::log(shot.radius / laws.reference_radius);
-  inputs.by_log_speed = (2 - laws.rate_exponent) * by_log_pi4;
+  ByMet by_layer = ByMet::Zero();
+  by_layer(index_of(&SphereInputs::log_pi4), met_log_mu) = -1;
+  by_layer(index_of(&SphereInputs::log_bulk_ratio), met_log_mu) = -slope;
+  by_layer(index_of(&SphereInputs::alpha), met_alpha) = 1;
+  by_layer(index_of(&SphereInputs::erosion_strain), met_strain) = 1;
+  inputs.by_log_speed = -(2 - of_reference.laws.rate_exponent) * by_layer.col(met_log_mu);
+  inputs.by_material.resize(1 + of_reference.covers.size());
+  for (std::size_t k = 0; k < of_reference.covers.size(); ++k) {
+    const auto& [cover, thickness] = of_reference.covers[k];
+    const LayerMaterial met = at_shot(cover, shot);
+    const CoverMembers& members = cover_members[k];
+    lay_on(inputs.at, members,
+           {.thickness = thickness / shot.radius,
+            .density = met.density / material.density,
+            .mu = met.mu_true / material.mu_true,
+            .alpha = met.alpha,
+            .erosion_strain = met.erosion_strain});
+    ByMet by_cover = ByMet::Zero();
+    by_cover(index_of(members.log_mu), met_log_mu) = 1;
+    by_cover(index_of(members.alpha), met_alpha) = 1;
+    by_cover(index_of(members.strain), met_strain) = 1;
+    by_layer(index_of(members.log_mu), met_log_mu) = -1;
+    inputs.by_log_speed[index_of(members.log_mu)] = cover.laws.rate_exponent - of_reference.laws.rate_exponent;
+    inputs.by_material[k + 1] = by_cover * met_by_material(cover, shot);
+  }
+  inputs.by_material[0] = by_layer * met_by_material(of_reference, shot);
+  if (in_radii) inputs.by_material[0](index_of(&SphereInputs::log_erosion_length), by_log_length) = 1;
   return inputs;
 }
 

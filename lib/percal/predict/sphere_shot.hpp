@@ -3,17 +3,19 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "percal/invert/emulator.hpp"
 #include "percal/scene/scene.hpp"
 
 namespace percal {
 
-// A rigid sphere straight down into one layer; SI.
+// A rigid sphere straight down into a layer, or several of them; SI.
 struct SphereShot {
   double radius = 0, density = 0;  // m, kg/m3: of the sphere
   double speed = 0;                // m/s
-  double layer_depth = 0;          // m
+  double layer_depth = 0;          // m; of all layers together
   double layer_width = 0;          // m: radius of the fixed outer wall
 };
 
@@ -39,6 +41,18 @@ struct LayerMaterial {
   MaterialLaws laws = {};
 };
 
+// A layer with what lies on top of it, nothing by default: covers, the next to it first, at most most_covers of them.
+struct Cover {
+  LayerMaterial material;
+  double thickness = 0;  // m
+};
+struct CoveredMaterial : LayerMaterial {
+  CoveredMaterial() = default;
+  CoveredMaterial(LayerMaterial layer, std::vector<Cover> on_top = {})  // implicit: a layer alone is one without covers
+      : LayerMaterial(std::move(layer)), covers(std::move(on_top)) {}
+  std::vector<Cover> covers;
+};
+
 // Over the modulus at the reference rate, over the erosion strain at the reference radius.
 double rate_factor(const MaterialLaws& laws, double rate);
 double size_factor(const MaterialLaws& laws, double radius);
@@ -49,17 +63,19 @@ LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot);
 double mesh_of(const SphereShot& shot, const LayerMaterial& material, double elements);
 
 // What `scene` becomes for the shot: particle and target; its mesh and its solver stay. A sphere is rigid, as in every published run; K/mu
-// keeps the Mach number below 0.3.
-Scene scene_of_shot(Scene scene, const SphereShot& shot, const LayerMaterial& material);
+// keeps the Mach number below 0.3. Names of covers are "cover", with their places where there are several.
+Scene scene_of_shot(Scene scene, const SphereShot& shot, const CoveredMaterial& material);
 
 // The emulator's inputs for a shot: those of its problem (inputs_of), but for the problem's rounding, over which nothing could be
 // differentiated. With their derivatives.
 struct ShotInputs {
   SphereInputs at;
-  // ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent, erosion strain below a cell
-  Eigen::Matrix<double, sphere_inputs, 7> by_material;
+  // By a material's ln mu_true, alpha, erosion strain, ln erosion length, rate exponent, size exponent, erosion strain below a cell: of
+  // the layer, then of each cover
+  using ByMaterial = Eigen::Matrix<double, sphere_inputs, 7>;
+  std::vector<ByMaterial> by_material;
   Eigen::Vector<double, sphere_inputs> by_log_speed;
 };
-ShotInputs shot_inputs(const SphereShot& shot, const LayerMaterial& material);
+ShotInputs shot_inputs(const SphereShot& shot, const CoveredMaterial& material);
 
 }  // namespace percal

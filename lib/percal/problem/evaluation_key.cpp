@@ -157,6 +157,25 @@ Erosion erosion_of(const std::string& text) {
   return StrainErosion{limit, StrainMeasure::engineering};
 }
 
+// "[(depth,density,mu,alpha,bulk ratio,limit)...]"
+std::vector<LowerLayer> below_of(const std::string& text) {
+  std::vector<LowerLayer> below;
+  std::istringstream layers(text);
+  for (std::string layer; std::getline(layers, layer, '(') && !layers.eof();) {
+    LowerLayer read;
+    std::getline(layers, layer, ')');
+    std::istringstream numbers(layer);
+    for (double LowerLayer::*number : {&LowerLayer::depth, &LowerLayer::density, &LowerLayer::mu, &LowerLayer::alpha,
+                                       &LowerLayer::bulk_ratio, &LowerLayer::erosion_limit}) {
+      std::string item;
+      std::getline(numbers, item, ',');
+      read.*number = std::strtod(item.c_str(), nullptr);
+    }
+    below.push_back(read);
+  }
+  return below;
+}
+
 VolumetricLaw volumetric_law_of(const std::string& text) {
   if (text == "quadratic") return VolumetricLaw::quadratic;
   return text == "logarithmic" ? VolumetricLaw::logarithmic : VolumetricLaw::log_quadratic;
@@ -194,6 +213,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.width = words.number("width");
   p.bottom = words.text("bottom") == "fixed" ? Bottom::fixed : Bottom::free;
   p.erosion = erosion_of(words.text("erosion"));
+  p.below = below_of(words.text("below"));
   const auto mesh = words.numbers("mesh");
   p.elements_per_radius = mesh[0];
   p.fine_width = mesh[1];

@@ -47,9 +47,12 @@ double softest(const CalibrationJob& job, const CalibrationMaterial& material, c
 double width_needed(const CalibrationJob& job) {
   double widest = 0;
   for (const MeasuredShot& shot : job.shots) {
-    const CalibrationMaterial& material = job.materials[shot.material];
-    const double pi4 = material.density * shot.speed * shot.speed / softest(job, material, shot);
-    widest = std::max(widest, usual_width(pi4, shot.density / material.density));
+    for (std::size_t m = 0; m < job.materials.size(); ++m) {
+      if (!meets(job, shot, static_cast<int>(m))) continue;
+      const CalibrationMaterial& material = job.materials[m];
+      const double pi4 = material.density * shot.speed * shot.speed / softest(job, material, shot);
+      widest = std::max(widest, usual_width(pi4, shot.density / material.density));
+    }
   }
   return widest;
 }

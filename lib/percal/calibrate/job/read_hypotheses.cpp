@@ -166,7 +166,8 @@ std::set<int> parameters_of(const CalibrationMaterial& material) {
 std::set<int> parameters_with_data(const CalibrationJob& job) {
   std::set<int> indices;
   for (const MeasuredShot& shot : job.shots)
-    if (shot.used) indices.merge(parameters_of(job.materials[shot.material]));
+    for (std::size_t m = 0; m < job.materials.size(); ++m)
+      if (shot.used && meets(job, shot, static_cast<int>(m))) indices.merge(parameters_of(job.materials[m]));
   for (const MeasuredCurve& curve : job.curves) {
     add_index(indices, job.materials[curve.material].mu);
     add_index(indices, job.materials[curve.material].alpha);
@@ -195,11 +196,17 @@ void check_parameters(const TomlTable& root, const CalibrationJob& job) {
 
 void check_materials(const TomlTable& root, const CalibrationJob& job) {
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
-    const auto of_this = [m](const auto& data) { return data.material == static_cast<int>(m); };
-    if (std::none_of(job.shots.begin(), job.shots.end(), of_this) &&
-        std::none_of(job.curves.begin(), job.curves.end(), of_this))
+    const int material = static_cast<int>(m);
+    if (std::ranges::none_of(job.shots, [&](const MeasuredShot& shot) { return meets(job, shot, material); }) &&
+        std::ranges::find(job.curves, material, &MeasuredCurve::material) == job.curves.end())
       root.table("materials").refuse(job.materials[m].name, "a material without data", "shots or curves of it");
   }
+}
+
+void check_targets(const TomlTable& root, const CalibrationJob& job) {
+  for (std::size_t t = job.materials.size(); t < job.targets.size(); ++t)
+    if (std::ranges::find(job.shots, static_cast<int>(t), &MeasuredShot::target) == job.shots.end())
+      root.table("targets").refuse(job.targets[t].name, "a target without shots", "shots with target = its name");
 }
 
 void check_groups(const TomlTable& root, const CalibrationJob& job) {
@@ -248,6 +255,7 @@ void check_use(const TomlTable& root, const CalibrationJob& job) {
   if (job.shots.empty() && job.curves.empty())
     root.refuse("shots", "neither shots nor curves", "[[shots]] or [[curves]]");
   check_materials(root, job);
+  check_targets(root, job);
   check_groups(root, job);
   check_parameters(root, job);
 }

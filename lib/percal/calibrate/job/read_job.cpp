@@ -286,6 +286,7 @@ CalibrationJob read_calibration_job(const std::string& path) {
   job.solver = read_solver(root);
   read_parameters(root, job);
   read_materials(root, job);
+  read_targets(root, job);
   read_training(root, job);  // what its meshes count, the materials say
   read_scatter_groups(root, job);
   read_shots(root, job);

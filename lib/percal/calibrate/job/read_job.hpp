@@ -16,6 +16,12 @@ int material_index(const TomlTable& block, const CalibrationJob& job);
 // Of the block's scatter group: `fallback` where it names none, made where nobody has declared it.
 int group_index(const TomlTable& block, const std::string& fallback, CalibrationJob& job);
 
+// read_targets.cpp
+// What can be shot into: the materials, then [targets.NAME].
+void read_targets(const TomlTable& root, CalibrationJob& job);
+// Of the block's target, or of its material alone.
+int target_index(const TomlTable& block, const CalibrationJob& job);
+
 // read_shots.cpp
 void read_shots(const TomlTable& root, CalibrationJob& job);
 

@@ -244,6 +244,17 @@ void read_layer(const TomlTable& block, MeasuredShot& shot) {
                  "a layer as deep as its shots, or deeper");
 }
 
+// Something must be left below the covers.
+void check_covers(const TomlTable& block, const CalibrationTarget& target, const MeasuredShot& shot) {
+  double thickness = 0;
+  for (const TargetCover& cover : target.covers) thickness += cover.thickness;
+  if (thickness > 0 && shot.layer_depth <= thickness + shot.radius)
+    block.refuse(block.has("layer_depth_radii") ? "layer_depth_radii" : "layer_depth",
+                 format_quantity(shot.layer_depth, dimension::length),
+                 fmt::format("more than a radius below the covers of {}, which are {} thick", in_quotes(target.name),
+                             format_quantity(thickness, dimension::length)));
+}
+
 // The emulator has the layer's depth among its inputs, not its width.
 void check_width(const TomlTable& block, const CalibrationJob& job, const MeasuredShot& shot) {
   const auto first = std::ranges::find_if(job.shots, [](const MeasuredShot& other) { return other.layer_width > 0; });
@@ -282,17 +293,17 @@ std::vector<MeasuredShot> shots_from(const TomlTable& block) {
 void read_shots(const TomlTable& root, CalibrationJob& job) {
   for (const TomlTable& block : root.tables("shots")) {
     auto shots = shots_from(block);
-    const int material = material_index(block, job), set = set_index(block, job),
-              group = group_index(block, "shots", job);
-    const bool several = job.materials.size() > 1;
+    const int target = target_index(block, job), set = set_index(block, job), group = group_index(block, "shots", job);
+    const bool several = job.targets.size() > 1;
     const double speed_error = block.quantity("speed_error", dimension::speed, not_negative("speed"), 0);
     for (MeasuredShot& shot : shots) {
-      shot.material = material;
+      shot.target = target;
       shot.set = set;
       shot.group = group;
       shot.speed_error = speed_error;
-      if (several && block.has("file")) shot.label += " into " + job.materials[material].name;
+      if (several && block.has("file")) shot.label += " into " + job.targets[target].name;
       read_layer(block, shot);
+      check_covers(block, job.targets[target], shot);
       check_width(block, job, shot);
       job.shots.push_back(std::move(shot));
     }

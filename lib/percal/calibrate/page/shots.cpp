@@ -30,7 +30,8 @@ Json measured_shots_to_json(const CalibrationJob& job) {
   for (const MeasuredShot& shot : job.shots) {
     all.push_back({{"label", shot.label},
                    {"set", job.sets[shot.set].name},
-                   {"material", job.materials[shot.material].name},
+                   {"material", job.materials[job.targets[shot.target].material].name},
+                   {"target", job.targets[shot.target].name},
                    {"scatter", job.groups[shot.group].name},
                    {"radius_m", shot.radius},
                    {"density_kg_m3", shot.density},
