@@ -140,26 +140,25 @@ TEST(Layers, AModulusIsFoundWhereTheStrainIsKnown) {
   const Interval free = interval_of_skin(job.hypotheses[0]), held = interval_of_skin(known);
   EXPECT_LT(held.low, true_layers[skin_mu]);
   EXPECT_GT(held.high, true_layers[skin_mu]);
-  EXPECT_LT(held.high / held.low, 2);
+  EXPECT_LT(held.high / held.low, 3);
   EXPECT_LT(free.low, true_layers[skin_mu]);
   EXPECT_GT(free.high, true_layers[skin_mu]);
-  EXPECT_GT(free.high / free.low, std::pow(held.high / held.low, 2));
+  EXPECT_GT(free.high / free.low, 1.5 * held.high / held.low);
 }
 
-// The parameters of each truth drawn anew, from the emulator itself.
-class SlowLayersCoverage : public testing::TestWithParam<int> {};
+// The parameters of each truth drawn anew, from the emulator itself: a `seed` for each set of truths.
+class SlowLayersCoverage : public testing::TestWithParam<unsigned> {};
 TEST_P(SlowLayersCoverage, IntervalsHoldTheTruth) {
-  const int parameter = GetParam();
   const CalibrationJob job = job_with_layers();
   const JobModel model = finite_element_model(job, job.hypotheses[0], emulator_of_layers(), mesh_of_layers);
-  const auto place = static_cast<int>(std::ranges::find(model.of_job, parameter) - model.of_job.begin());
+  const auto count = static_cast<Eigen::Index>(model.parameters.size());
   const std::vector<double> low{120e3, 8, 0.5, 8e5, 0.35}, high{400e3, 8, 1.1, 6e6, 0.75};
-  Draws draws(17);
-  int held = 0;
+  Draws draws(GetParam());
+  std::vector<int> held(model.parameters.size());
   for (int truth = 0; truth < 100; ++truth) {
     CalibrationJob shot = job;
-    Eigen::VectorXd at(static_cast<Eigen::Index>(model.of_job.size()));
-    for (Eigen::Index k = 0; k < at.size(); ++k) {
+    Eigen::VectorXd at(count);
+    for (Eigen::Index k = 0; k < count; ++k) {
       const FreeParameter& p = model.parameters[k];
       const double a = p.searched(low[model.of_job[k]]), b = p.searched(high[model.of_job[k]]);
       at[k] = a + (b - a) * draws.uniform();
@@ -168,17 +167,18 @@ TEST_P(SlowLayersCoverage, IntervalsHoldTheTruth) {
     for (std::size_t i = 0; i < shot.shots.size(); ++i)
       shot.shots[i].depth = std::exp(depths[static_cast<Eigen::Index>(i)] + 0.03 * draws.normal());
     const JobFit fit = fit_job(shot, model, used_shots(shot), quick_search());
-    const auto intervals = region_intervals(fit.problem, fit.minima, 0.95, quick_search());
-    for (const ProfileInterval& one : intervals) {
-      if (one.parameter != place) continue;
-      const double value = model.parameters[place].natural(at[place]);
-      held += value >= one.interval.low && value <= one.interval.high;
+    for (const ProfileInterval& one : region_intervals(fit.problem, fit.minima, 0.95, quick_search())) {
+      const double value = model.parameters[one.parameter].natural(at[one.parameter]);
+      held[one.parameter] += value >= one.interval.low && value <= one.interval.high;
     }
   }
-  EXPECT_GE(held, 89) << job.parameters[parameter].free.name;
-  EXPECT_LE(held, 99) << job.parameters[parameter].free.name;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    EXPECT_GE(held[k], 89) << model.parameters[k].name;
+    EXPECT_LE(held[k], 100) << model.parameters[k].name;
+    RecordProperty(model.parameters[k].name, held[k]);
+  }
 }
-INSTANTIATE_TEST_SUITE_P(Slow, SlowLayersCoverage, testing::Values(gel_mu, gel_strain, skin_mu, skin_strain));
+INSTANTIATE_TEST_SUITE_P(Slow, SlowLayersCoverage, testing::Values(17u));
 
 TEST(Layers, AKeptModelAnswersAsBefore) {
   CalibrationJob job = job_with_layers();

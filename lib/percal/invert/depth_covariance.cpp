@@ -15,6 +15,9 @@ constexpr double smallest_range = 1e-9;
 
 constexpr double vanishing_alpha = 1e-4;  // below it rounding would spoil the general formula
 
+// A cover t thick takes about this many W t/a, over rho_p v^2, off a sphere: 1 where it just stops it.
+constexpr double loss = 4;
+
 double square(double x) { return x * x; }
 
 // sum_ab W_ab (u_aj - u_bj)^2 for every column j of u; W symmetric.
@@ -38,48 +41,73 @@ LogErosionEnergy log_erosion_energy(double alpha, double strain) {
           alpha * (up - across) / (stretch * sum)};
 }
 
+// What a cover does to the features, and what of it is by the inputs.                                                  (2a)
+class CoverFeatures {
+ public:
+  CoverFeatures(const SphereInputs& at, const CoverMembers& cover)
+      : at_(at),
+        cover_(cover),
+        weight_(at.*cover.depth),
+        layer_(log_erosion_energy(at.alpha, at.erosion_strain)),
+        own_(log_erosion_energy(at.*cover.alpha, at.*cover.strain)) {
+    const double log_size = std::log(loss * std::expm1(weight_)) - at.log_pi4 + at.log_pi5;
+    own_loss_ = std::exp(log_size + own_.value + at.*cover.log_mu);
+    layer_loss_ = std::exp(log_size + layer_.value);
+  }
+
+  void write(Eigen::VectorXd& features) const {
+    features[index_of(cover_.log_density)] = weight_ * at_.*cover_.log_density;
+    features[index_of(cover_.log_mu)] = std::log1p(own_loss_) - std::log1p(layer_loss_);
+    features[index_of(cover_.alpha)] = weight_ * (at_.*cover_.alpha - at_.alpha);
+    features[index_of(cover_.strain)] = weight_ * (at_.*cover_.strain - at_.erosion_strain);
+  }
+
+  void add_gradient(const Eigen::VectorXd& by_features, Eigen::VectorXd& gradient) const {
+    const double by_density = by_features[index_of(cover_.log_density)], by_loss = by_features[index_of(cover_.log_mu)],
+                 by_alpha = by_features[index_of(cover_.alpha)], by_strain = by_features[index_of(cover_.strain)];
+    const double own = by_loss * own_loss_ / (1 + own_loss_), layer = by_loss * layer_loss_ / (1 + layer_loss_);
+    gradient[index_of(cover_.depth)] += by_density * at_.*cover_.log_density + (own - layer) / -std::expm1(-weight_) +
+                                        by_alpha * (at_.*cover_.alpha - at_.alpha) +
+                                        by_strain * (at_.*cover_.strain - at_.erosion_strain);
+    gradient[index_of(cover_.log_density)] = weight_ * by_density;
+    gradient[index_of(cover_.log_mu)] = own;
+    gradient[index_of(cover_.alpha)] = weight_ * by_alpha + own * own_.by_alpha;
+    gradient[index_of(cover_.strain)] = weight_ * by_strain + own * own_.by_strain;
+    gradient[index_of(&SphereInputs::alpha)] -= weight_ * by_alpha + layer * layer_.by_alpha;
+    gradient[index_of(&SphereInputs::erosion_strain)] -= weight_ * by_strain + layer * layer_.by_strain;
+    gradient[index_of(&SphereInputs::log_pi4)] -= own - layer;
+    gradient[index_of(&SphereInputs::log_pi5)] += own - layer;
+  }
+
+ private:
+  const SphereInputs& at_;
+  const CoverMembers& cover_;
+  double weight_;
+  LogErosionEnergy layer_, own_;
+  double own_loss_ = 0, layer_loss_ = 0;  // over the sphere's energy, of the cover and of as much of the layer
+};
+
 Eigen::VectorXd depth_features(const SphereInputs& at) {
-  const double energy = log_erosion_energy(at.alpha, at.erosion_strain).value;
   Eigen::VectorXd features = in_order(at);
-  features[index_of(&SphereInputs::log_pi4)] -= energy;
+  features[index_of(&SphereInputs::log_pi4)] -= log_erosion_energy(at.alpha, at.erosion_strain).value;
   for (const CoverMembers& cover : cover_members) {
-    const double weight = at.*cover.depth;
     for (double SphereInputs::*number : {cover.log_density, cover.log_mu, cover.alpha, cover.strain})
       features[index_of(number)] = 0;
-    if (weight == 0) continue;
-    const double cover_energy = log_erosion_energy(at.*cover.alpha, at.*cover.strain).value;
-    features[index_of(cover.log_density)] = weight * at.*cover.log_density;
-    features[index_of(cover.log_mu)] = weight * (at.*cover.log_mu + cover_energy - energy);
-    features[index_of(cover.alpha)] = weight * (at.*cover.alpha - at.alpha);
-    features[index_of(cover.strain)] = weight * (at.*cover.strain - at.erosion_strain);
+    if (at.*cover.depth > 0) CoverFeatures(at, cover).write(features);
   }
   return features;
 }
 
 Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features) {
-  const int alpha = index_of(&SphereInputs::alpha), strain = index_of(&SphereInputs::erosion_strain);
   const LogErosionEnergy energy = log_erosion_energy(at.alpha, at.erosion_strain);
   const double by_log_pi4 = by_features[index_of(&SphereInputs::log_pi4)];
   Eigen::VectorXd gradient = by_features;
-  gradient[alpha] -= by_log_pi4 * energy.by_alpha;
-  gradient[strain] -= by_log_pi4 * energy.by_strain;
+  gradient[index_of(&SphereInputs::alpha)] -= by_log_pi4 * energy.by_alpha;
+  gradient[index_of(&SphereInputs::erosion_strain)] -= by_log_pi4 * energy.by_strain;
   for (const CoverMembers& cover : cover_members) {
-    const double weight = at.*cover.depth;
     for (double SphereInputs::*number : {cover.log_density, cover.log_mu, cover.alpha, cover.strain})
       gradient[index_of(number)] = 0;
-    if (weight == 0) continue;
-    const LogErosionEnergy own = log_erosion_energy(at.*cover.alpha, at.*cover.strain);
-    const double by_density = by_features[index_of(cover.log_density)], by_energy = by_features[index_of(cover.log_mu)],
-                 by_alpha = by_features[index_of(cover.alpha)], by_strain = by_features[index_of(cover.strain)];
-    gradient[index_of(cover.depth)] +=
-        by_density * at.*cover.log_density + by_energy * (at.*cover.log_mu + own.value - energy.value) +
-        by_alpha * (at.*cover.alpha - at.alpha) + by_strain * (at.*cover.strain - at.erosion_strain);
-    gradient[index_of(cover.log_density)] = weight * by_density;
-    gradient[index_of(cover.log_mu)] = weight * by_energy;
-    gradient[index_of(cover.alpha)] = weight * (by_alpha + by_energy * own.by_alpha);
-    gradient[index_of(cover.strain)] = weight * (by_strain + by_energy * own.by_strain);
-    gradient[alpha] -= weight * (by_alpha + by_energy * energy.by_alpha);
-    gradient[strain] -= weight * (by_strain + by_energy * energy.by_strain);
+    if (at.*cover.depth > 0) CoverFeatures(at, cover).add_gradient(by_features, gradient);
   }
   return gradient;
 }
