@@ -2,7 +2,7 @@
 
     python3 data/synthetic/make_layers_shots.py PERCAL      writes the file beside this script; takes some minutes
 
-Each depth is the mean of five runs on 14 elements per radius, times exp(3 % z) with z standard normal. The solver's bits depend on the
+Each depth is the mean of ten runs on 10 elements per radius, times exp(3 % z) with z standard normal. The solver's bits depend on the
 processor's instruction level, so that another machine writes depths that differ by the solver's own scatter (about 1 %).
 """
 import json
@@ -18,7 +18,7 @@ from make_joint_shots import normal
 HERE = pathlib.Path(__file__).resolve().parent
 GEL = {"name": "gel", "density": 1030, "mu": 150, "alpha": 8.5, "strain": 0.7}
 SKIN = {"name": "skin", "density": 1100, "mu": 1200, "alpha": 9, "strain": 0.45}
-ELEMENTS, REPLICATES, SCATTER, SEED = 14, 5, 0.03, 20090335
+ELEMENTS, REPLICATES, SCATTER, SEED = 10, 10, 0.03, 20090335
 BALL_DENSITY, DEPTH_MM, WIDTH_RADII = 7800, 120, 8
 SPEEDS = {4.5: [25, 35, 50, 65], 6.35: [25, 35, 50]}
 SKIN_MM = [0, 2, 4]

@@ -1,4 +1,5 @@
 // What replicates say together besides the depth; the numbers of the shot; the particle's outline.
+#include "percal/observe/field_errors.hpp"
 #include "percal/observe/field_measures.hpp"
 
 #include <gmock/gmock.h>
@@ -143,6 +144,15 @@ TEST(ParticleOutline, TouchesTheDepthAndIsClosed) {
     EXPECT_NEAR(deepest, 7 * r.scales.radius, 1e-12);
     EXPECT_NEAR(widest, r.scales.radius, 1e-12);
   }
+}
+
+// What is left of 100 m/s when the energy lost is a tenth more or less than thought.
+TEST(SpeedHalfWidth, IsTheEnergysErrorAtTheSpeed) {
+  EXPECT_NEAR(speed_half_width(80, 100, 0.1), 80 - std::sqrt(6400 - 360), 1e-12);
+  EXPECT_NEAR(speed_half_width(5, 100, 0.1), std::sqrt(25 + 997.5) - 5, 1e-12) << "it may have been held";
+  EXPECT_NEAR(speed_half_width(-5, 100, 0.1), speed_half_width(5, 100, 0.1), 1e-12);
+  EXPECT_EQ(speed_half_width(100, 100, 0.1), 0);
+  EXPECT_EQ(speed_half_width(40, 100, 0), 0);
 }
 
 }  // namespace

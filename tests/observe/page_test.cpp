@@ -299,8 +299,8 @@ void go_on(std::vector<Evaluation>& runs, Ending ending, double depth, double sp
 
 TEST_F(ImpactPage, SaysWhereTheParticleComesToRest) {
   go_on(found.runs, Ending::rests, 18.4, 0);
-  EXPECT_THAT(page().summary, HasSubstr("; it comes to rest at 18.4 um ± 250 nm"));
-  EXPECT_THAT(words_of(page()), HasSubstr("final depth | 18.4 um ± 250 nm, half width what it still swings; standard error 0"));
+  EXPECT_THAT(page().summary, HasSubstr("; it comes to rest at 18.4 um ± 1.5 um"));
+  EXPECT_THAT(words_of(page()), HasSubstr("final depth | 18.4 um ± 1.5 um; it still swings by 250 nm"));
   EXPECT_EQ(result()["final"]["ending"], "rests");
   EXPECT_NEAR(result()["runs"][0]["final"]["depth_m"].get<double>(), 18.4e-6, 1e-15);
 }
@@ -324,12 +324,17 @@ TEST_F(ImpactPage, HasTheShotsNumbersAndTheSpeedsBehindLayers) {
   const std::string words = words_of(page());
   for (const char* there :
        {"impact parameter rho v a | 10.94 kg/(m s)", "sectional density, mass over area | 22.4 g/m2",
-        "speed behind skin | 397.1 m/s, standard error 6.5 m/s", "speed behind fat | 260.4 m/s", "left with 260.4 m/s"})
+        "speed behind skin | 397.1 m/s ±", "speed behind fat | 260.4 m/s ±", "left with 260.4 m/s ±"})
     EXPECT_THAT(words, HasSubstr(there));
   const Json layer = result()["layers"][1];
   EXPECT_EQ(layer["name"], "fat");
   EXPECT_NEAR(layer["lower_face_m"].get<double>(), 80e-6, 1e-15);
   EXPECT_NEAR(result()["exit_speed_m_s"].get<double>(), 260.4, 1e-9);
+  // Student's t of two runs, and what wall, step and K make of the energy that was lost.
+  const double phase = 12.706 * 0.01 * 651, rules = result()["exit_speed_error_m_s"];
+  EXPECT_GT(rules, 0.02 * 260.4);
+  EXPECT_GT(result()["layers"][0]["speed_behind_error_m_s"].get<double>(), phase);
+  EXPECT_LT(result()["layers"][0]["speed_behind_error_m_s"].get<double>(), std::hypot(phase, rules));
 }
 
 TEST_F(ImpactPage, DrawsTheChannelAndTheParticle) {
@@ -346,7 +351,7 @@ TEST_F(ImpactPage, DrawsTheChannelAndTheParticle) {
   const Series* particle = series_of(*figure, "particle, deepest");
   ASSERT_NE(particle, nullptr);
   EXPECT_EQ(particle->x.size(), 73u);
-  EXPECT_THAT(words_of(*section_of(whole, "channel")), HasSubstr("5 % | 1.375 um | 1.03 um | 0"));
+  EXPECT_THAT(words_of(*section_of(whole, "channel")), HasSubstr("5 % | 1.375 um | 1.03 um | 36 nm | 500 nm | 36 nm"));
 }
 
 TEST_F(ImpactPage, AParticleThatPassedThroughHasALowerBound) {

@@ -22,7 +22,17 @@ constexpr double near_enough = 0.7;   // of ln depth from the measured one
 constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
 constexpr int smallest_training = 24;
 constexpr int most_foreign = 600;
+constexpr double too_shallow =
+    1;  // ln depth short of the shallowest measured one: under covers, such a sphere sticks in one
 constexpr double coarsest_foreign = 6;  // elements, as the job's settings count them, that are fine enough for any job
+
+// Spheres that stick in a cover scatter far more than those that pass it, and tell nothing of data that all have passed.
+double least_learnt(const CalibrationJob& job) {
+  double least = INFINITY;
+  for (const MeasuredShot& shot : job.shots)
+    if (shot.datum != ShotDatum::none) least = std::min(least, std::log(shot.depth / shot.radius) - too_shallow);
+  return covers_of(job) > 0 && std::isfinite(least) ? least : -INFINITY;
+}
 
 }  // namespace
 
@@ -31,7 +41,12 @@ std::string foreign_note(const CalibrationJob& job, const std::string& key_prefi
 }
 
 Training::Training(const CalibrationJob& job, Store* store, Campaign& campaign, const CalibrationLimits& limits)
-    : job_(job), hypothesis_(job.hypotheses.front()), store_(store), campaign_(campaign), limits_(limits) {
+    : job_(job),
+      hypothesis_(job.hypotheses.front()),
+      store_(store),
+      campaign_(campaign),
+      limits_(limits),
+      least_learnt_(least_learnt(job)) {
   take_foreign_runs();
 }
 
@@ -130,7 +145,8 @@ void Training::count(const std::vector<Problem>& problems, const std::vector<std
     const std::string key = evaluation_key(problems[i], evaluation.instruction_level);
     if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
     taken_.push_back(key);
-    if (const auto reach = reach_of(problems[i], evaluation.result)) runs_.push_back(training_run(problems[i], *reach));
+    const auto reach = reach_of(problems[i], evaluation.result);
+    if (reach && std::log(*reach) >= least_learnt_) runs_.push_back(training_run(problems[i], *reach));
   }
 }
 
@@ -157,7 +173,7 @@ void Training::take_foreign_runs() {
   const std::string setting =
       setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
   const auto usable = [&](const StoredSphere& s) {
-    return s.reach && s.problem.below.size() <= covers_of(job_) &&
+    return s.reach && std::log(*s.reach) >= least_learnt_ && s.problem.below.size() <= covers_of(job_) &&
            (learns_passage(job_) || s.outcome == word(Outcome::stopped)) && setting_of(s.problem) == setting &&
            s.problem.elements_per_radius >=
                std::min(job_.training.coarse, coarsest_foreign) / erosion_length(s.problem).value_or(1) -

@@ -62,6 +62,7 @@ class Training {
   std::vector<std::string> taken_;  // keys, so that no run counts twice
   std::optional<Emulator> emulator_;
   EmulatorReport report_;
+  double least_learnt_;  // ln reach in radii: runs short of it are no rows
   int design_runs_ = 0, next_point_ = 0, searched_at_ = 0;
   bool out_of_time_ = false;
   double cpu_seconds_ = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/observe/field_errors.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/page/sections.hpp"
@@ -17,23 +18,25 @@ namespace {
 using page::finite;
 using page::Json;
 
-Json layers_to_json(const FieldMeasures& measures, const Scene& scene) {
+Json layers_to_json(const FieldMeasures& measures, const FieldErrors& errors, const Scene& scene) {
   Json layers = Json::array();
   double face = 0;
   const auto add = [&](const std::string& name, double depth) {
     const MeanOfRuns& speed = measures.speeds_behind.at(layers.size());
+    const auto& error = errors.speeds_behind.at(layers.size());
     layers.push_back({{"name", name},
                       {"lower_face_m", face += depth},
                       {"speed_behind_m_s", finite(speed.mean)},
                       {"speed_behind_spread_m_s", finite(speed.spread)},
-                      {"speed_behind_standard_error_m_s", finite(speed.standard_error)}});
+                      {"speed_behind_standard_error_m_s", finite(speed.standard_error)},
+                      {"speed_behind_error_m_s", finite(error)}});
   };
   add(scene.target.name, scene.target.depth);
   for (const LowerLayerScene& layer : scene.below) add(layer.name, layer.depth);
   return layers;
 }
 
-Json final_to_json(const std::optional<FinalState>& final) {
+Json final_to_json(const std::optional<FinalState>& final, const FieldErrors& errors) {
   if (!final) return nullptr;
   return {{"ending", word(final->ending)},
           {"mixed", final->mixed},
@@ -41,11 +44,19 @@ Json final_to_json(const std::optional<FinalState>& final) {
           {"half_width_m", finite(final->half_width)},
           {"depth_spread_m", finite(final->depth.spread)},
           {"depth_standard_error_m", finite(final->depth.standard_error)},
+          {"depth_error_m", finite(errors.final_depth)},
           {"speed_m_s", finite(final->speed.mean)},
           {"speed_spread_m_s", finite(final->speed.spread)},
           {"speed_standard_error_m_s", finite(final->speed.standard_error)},
+          {"speed_error_m_s", finite(errors.final_speed)},
           {"energy", energy_to_json(final->energy)},
           {"energy_worst_closure", finite(final->worst_closure)}};
+}
+
+Json list_of(const std::vector<std::optional<double>>& numbers) {
+  Json list = Json::array();
+  for (const auto& number : numbers) list.push_back(finite(number));
+  return list;
 }
 
 Json list_of(const std::vector<MeanOfRuns>& radii, std::optional<double> MeanOfRuns::*part) {
@@ -55,7 +66,7 @@ Json list_of(const std::vector<MeanOfRuns>& radii, std::optional<double> MeanOfR
 }
 
 // The outline is the middle replicate's.
-Json channel_to_json(const std::optional<ChannelOfRuns>& channel, const Reduction& reduction,
+Json channel_to_json(const std::optional<ChannelOfRuns>& channel, const FieldErrors& errors, const Reduction& reduction,
                      const std::vector<Evaluation>& runs) {
   if (!channel) return nullptr;
   const ImpactResult& middle = runs[middle_replicate(static_cast<int>(runs.size()))].result;
@@ -68,8 +79,10 @@ Json channel_to_json(const std::optional<ChannelOfRuns>& channel, const Reductio
           {"depth_m", channel->depths},
           {"largest_radius_m", list_of(channel->largest, &MeanOfRuns::mean)},
           {"largest_radius_spread_m", list_of(channel->largest, &MeanOfRuns::spread)},
+          {"largest_radius_error_m", list_of(errors.largest)},
           {"end_radius_m", list_of(channel->end, &MeanOfRuns::mean)},
           {"end_radius_spread_m", list_of(channel->end, &MeanOfRuns::spread)},
+          {"end_radius_error_m", list_of(errors.end)},
           {"particle", {{"distance_m", distances}, {"depth_m", depths}}}};
 }
 
@@ -77,14 +90,16 @@ Json channel_to_json(const std::optional<ChannelOfRuns>& channel, const Reductio
 
 Json field_measures_to_json(const FieldMeasures& measures, const Scene& scene, const Reduction& reduction,
                             const std::vector<Evaluation>& runs) {
+  const FieldErrors errors = field_errors(measures, scene, reduction, runs);
   return {{"impact_parameter_kg_m_s", impact_parameter(reduction.problem, reduction.scales)},
           {"sectional_density_kg_m2", sectional_density(reduction.problem, reduction.scales)},
-          {"layers", layers_to_json(measures, scene)},
+          {"layers", layers_to_json(measures, errors, scene)},
           {"exit_speed_m_s", finite(measures.exit_speed.mean)},
           {"exit_speed_spread_m_s", finite(measures.exit_speed.spread)},
           {"exit_speed_standard_error_m_s", finite(measures.exit_speed.standard_error)},
-          {"final", final_to_json(measures.final)},
-          {"channel", channel_to_json(measures.channel, reduction, runs)}};
+          {"exit_speed_error_m_s", finite(errors.exit_speed)},
+          {"final", final_to_json(measures.final, errors)},
+          {"channel", channel_to_json(measures.channel, errors, reduction, runs)}};
 }
 
 Json speeds_behind_to_json(const ImpactResult& run, const Scales& scales) {
@@ -108,15 +123,17 @@ Json aftermath_to_json(const std::optional<Aftermath>& after, const Scales& scal
 namespace page {
 namespace {
 
-constexpr double room_beside = 0.2;  // of the depth, on either side: so that a long thin channel leaves room for the axis' numbers
+constexpr double room_beside =
+    0.2;  // of the depth, on either side: so that a long thin channel leaves room for the axis' numbers
 
-std::string speed_words(const std::optional<double>& speed, const std::optional<double>& standard_error = {}) {
-  const std::string mean = quantity(speed, dimension::speed), error = quantity(standard_error, dimension::speed, 2);
-  return error == absent ? mean : mean + ", standard error " + error;
+std::string speed_words(const std::optional<double>& speed, const std::optional<double>& half_width = {}) {
+  const std::string mean = quantity(speed, dimension::speed);
+  return half_width ? with_error(mean, quantity(half_width, dimension::speed, 2)) : mean;
 }
 
 std::string rest_words(const Json& final) {
-  return with_error(length(number(final, "depth_m")), length(number(final, "half_width_m"), 2));
+  const auto error = number(final, "depth_error_m");
+  return with_error(length(number(final, "depth_m")), length(error ? error : number(final, "half_width_m"), 2));
 }
 
 // Both sides of the middle line, one after the other.
@@ -157,24 +174,27 @@ Figure channel_figure(const Json& channel) {
   const auto widest = std::max_element(largest.begin(), largest.end()), last = std::max_element(end.begin(), end.end());
   if (largest.empty() || end.empty()) return figure;
   figure.caption = fmt::format(
-      "Walls that erosion has left, means of the runs at their undeformed depth, shot from the left; at most {} from the middle line, "
+      "Walls that erosion has left, means of the runs at their undeformed depth, shot from the left; at most {} from "
+      "the middle line, "
       "at the end {}. 0: nothing was taken out there.",
       length(*widest, 3), length(*last, 3));
-  figure.alt = "The channel's walls on both sides of the middle line along the depth, and the particle at its deepest. " + figure.caption;
+  figure.alt =
+      "The channel's walls on both sides of the middle line along the depth, and the particle at its deepest. " +
+      figure.caption;
   return figure;
 }
 
 Table channel_table(const Json& channel) {
   Table table{.caption = "Radius of the channel along the depth",
-              .rows = {{"share of the depth", "undeformed depth", "at its widest", "scatter", "at the end", "scatter"}},
-              .notes = {"Half the distance of the walls. Scatter: sample standard deviation of a run."}};
+              .rows = {{"share of the depth", "undeformed depth", "at its widest", "error", "at the end", "error"}},
+              .notes = {"Half the distance of the walls. Error, 95 %: of the runs' mean, and half an element."}};
   const auto column = [&](const char* key) { return numbers(at(channel, key)); };
   const auto shares = column("share_of_depth"), depths = column("depth_m"), largest = column("largest_radius_m"),
-             spread = column("largest_radius_spread_m"), end = column("end_radius_m"),
-             end_spread = column("end_radius_spread_m");
+             error = column("largest_radius_error_m"), end = column("end_radius_m"),
+             end_error = column("end_radius_error_m");
   for (std::size_t k = 0; k < shares.size(); ++k)
-    table.rows.push_back({percent(shares[k], 0), length(depths.at(k)), length(largest.at(k), 3), length(spread.at(k), 2),
-                          length(end.at(k), 3), length(end_spread.at(k), 2)});
+    table.rows.push_back({percent(shares[k], 0), length(depths.at(k)), length(largest.at(k), 3), length(error.at(k), 2),
+                          length(end.at(k), 3), length(end_error.at(k), 2)});
   return table;
 }
 
@@ -186,12 +206,14 @@ std::string final_words(const Json& result) {
   if (number(final, "depth_m")) return "; it comes to rest at " + rest_words(final);
   const auto speed = number(final, "speed_m_s");
   if (!speed) return "; past the deepest point it ended as: " + text(final, "ending");
-  return *speed < 0 ? "; it leaves upwards with " + speed_words(-*speed) : "; it leaves below with " + speed_words(speed);
+  const auto error = number(final, "speed_error_m_s");
+  return *speed < 0 ? "; it leaves upwards with " + speed_words(-*speed, error)
+                    : "; it leaves below with " + speed_words(speed, error);
 }
 
 std::string exit_words(const Json& result) {
   const auto speed = number(result, "exit_speed_m_s");
-  return speed ? ", left with " + speed_words(speed) : "";
+  return speed ? ", left with " + speed_words(speed, number(result, "exit_speed_error_m_s")) : "";
 }
 
 std::vector<std::pair<std::string, std::string>> field_rows(const Json& result) {
@@ -202,16 +224,15 @@ std::vector<std::pair<std::string, std::string>> field_rows(const Json& result) 
                     quantity(number(result, "sectional_density_kg_m2"), dimension::sectional_density));
   for (const Json& layer : list(result, "layers"))
     rows.emplace_back("speed behind " + text(layer, "name"),
-                      speed_words(number(layer, "speed_behind_m_s"), number(layer, "speed_behind_standard_error_m_s")));
+                      speed_words(number(layer, "speed_behind_m_s"), number(layer, "speed_behind_error_m_s")));
   const Json& final = at(result, "final");
   if (final.is_null()) return rows;
   if (number(final, "depth_m"))
-    rows.emplace_back("final depth",
-                      fmt::format("{}, half width what it still swings; standard error {}", rest_words(final),
-                                  length(number(final, "depth_standard_error_m"), 2)));
+    rows.emplace_back("final depth", fmt::format("{}; it still swings by {}", rest_words(final),
+                                                 length(number(final, "half_width_m"), 2)));
   else if (const auto speed = number(final, "speed_m_s"))
     rows.emplace_back(*speed < 0 ? "speed upwards, thrown back" : "speed in free flight below",
-                      speed_words(std::abs(*speed), number(final, "speed_standard_error_m_s")));
+                      speed_words(std::abs(*speed), number(final, "speed_error_m_s")));
   return rows;
 }
 
