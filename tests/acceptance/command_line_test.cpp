@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include "support/program.hpp"
+#include "support/sanitized.hpp"
 
 namespace percal {
 namespace {
@@ -104,7 +105,7 @@ TEST_F(CommandLine, ASceneWithVelocityIsAskedWhetherItMeansSpeed) {
 
 // Where addresses are few no thread can be begun, or no run; either is told, and no thread takes the program down.
 TEST_F(CommandLine, ShortOfMemoryItTakesFewerThreadsOrSaysSo) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef PERCAL_SANITIZED
   GTEST_SKIP() << "which want all addresses for themselves";
 #endif
   for (const rlim_t megabytes : {150, 600})

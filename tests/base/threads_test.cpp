@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "percal/base/error.hpp"
+#include "support/sanitized.hpp"
 
 namespace percal {
 namespace {
@@ -51,7 +52,7 @@ TEST(SideBySide, APieceWithoutMemoryBesideTheOthersIsDoneWhenTheyAreGone) {
   EXPECT_THROW(side_by_side(2, 5, [](int) { throw NoMemory("it", 1e9); }), NoMemory) << "where one alone has none";
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which want all addresses for themselves
+#ifndef PERCAL_SANITIZED  // which want all addresses for themselves
 // In a process that may have so many more bytes of addresses: a thread's stack takes 8 MB of them.
 int exit_code_with(long bytes, int threads) {
   const pid_t child = fork();

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "calibrate/gel_job.hpp"
+#include "percal/base/error.hpp"
 #include "percal/calibrate/kept_model.hpp"
 #include "percal/estimate/intervals.hpp"
 #include "percal/predict/predictor.hpp"

@@ -35,7 +35,7 @@ class CalibrationRuns : public testing::Test, protected test::TemporaryFolder {
   Store store_{path("percal.store")};
   Campaign campaign_{&store_, 0};
   CalibrationJob job_ = quick_job();
-  const CalibrationLimits limits_;
+  const CalibrationLimits limits_{};
 };
 
 // Most of the first design's 64 runs come to rest, then all fail that the fitted emulator asks for.

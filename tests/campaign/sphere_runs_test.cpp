@@ -71,7 +71,7 @@ TEST_F(SphereRunsTest, OfOneThatWentOnBehindItsLayerTheSpeedLeftIsAReach) {
   thin.until = RunUntil::passage;
   const Evaluation run = campaign.evaluate(replicates_of(thin, 3)[2]);
   ASSERT_EQ(run.result.aftermath->ending, Ending::passed_through);
-  const Problem& problem = stored_spheres(store)[0].problem;
+  const Problem problem = stored_spheres(store)[0].problem;
   const double left = run.result.aftermath->speed / problem.speed_factor;
   EXPECT_NE(problem.speed_factor, 1);
   EXPECT_DOUBLE_EQ(*stored_spheres(store)[0].reach, 3 / (1 - left * left));

@@ -18,6 +18,7 @@
 #include "percal/base/version.hpp"
 #include "percal/impact/march/march.hpp"
 #include "percal/text/sha256.hpp"
+#include "support/sanitized.hpp"
 
 #if defined(__GLIBC__)
 #include <gnu/libc-version.h>
@@ -140,7 +141,7 @@ std::string other_build() {
   return "another compiler than GCC 12";
 #elif !defined(NDEBUG)
   return "a build with assertions";
-#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#elif defined(PERCAL_SANITIZED)
   return "a build with sanitizers";
 #elif defined(__FMA__) || defined(__FAST_MATH__)
   return "a build with compiler flags of its own";

@@ -36,7 +36,7 @@ TEST(GradedMesh, ManyGradedColumnsShrinkTowardsTheWall) {
 
 TEST(GradedMesh, TheWallIsHitExactly) {
   for (const double width : {5.0, 1.7, 3.14159, 20.0})
-    for (const int n : {3, 7, 10, 42}) {
+    for (const double n : {3.0, 7.0, 10.0, 42.0}) {
       const GradedMesh mesh = graded_mesh({.elements_per_radius = n, .width = width, .depth = 10});
       EXPECT_EQ(mesh.radius.back(), width);
     }
