@@ -91,6 +91,11 @@ struct StudyArguments {
   std::optional<int> replicates;
 };
 
+struct CampaignArguments {
+  std::string plan;
+  bool estimate = false;  // say what it will cost, and run nothing but samples
+};
+
 struct CardArguments {
   std::string result;  // of write
   std::string card;    // of read and check
@@ -153,6 +158,7 @@ Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_predict(const PredictArguments&, const Common&);
 Exit run_invert(const InvertArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
+Exit run_campaign(const CampaignArguments&, const Common&);
 Exit run_card_write(const CardArguments&, const Common&);
 Exit run_card_read(const CardArguments&, const Common&);
 Exit run_card_check(const CardArguments&, const Common&);

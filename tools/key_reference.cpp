@@ -14,6 +14,7 @@
 #include "percal/identify/job.hpp"
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/sweep/plan.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -110,7 +111,8 @@ const std::vector<FileKind>& file_kinds() {
       {"scene", "Scenes", "percal impact, percal study", [](const std::string& path) { read_scene(path); }},
       {"scale", "Scaling jobs", "percal scale", [](const std::string& path) { read_scale_job(path); }},
       {"identify", "Identifications", "percal identify", [](const std::string& path) { read_identify_job(path); }},
-      {"calibrate", "Calibrations", "percal calibrate", [](const std::string& path) { read_calibration_job(path); }}};
+      {"calibrate", "Calibrations", "percal calibrate", [](const std::string& path) { read_calibration_job(path); }},
+      {"campaign", "Campaigns", "percal campaign", [](const std::string& path) { read_plan(path); }}};
   return kinds;
 }
 
@@ -120,7 +122,7 @@ const FileKind& file_kind(const std::string& name) {
   const auto other = by_command.find(name);
   for (const FileKind& kind : file_kinds())
     if (kind.name == (other == by_command.end() ? name : other->second)) return kind;
-  throw BadInput({"", 0, "kind"}, in_quotes(name), "scene, scale, identify, calibrate");
+  throw BadInput({"", 0, "kind"}, in_quotes(name), "scene, scale, identify, calibrate, campaign");
 }
 
 std::vector<KeyEntry> keys_of(const FileKind& kind) {

@@ -8,9 +8,8 @@
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
-namespace {
 
-// A number of the range; CLI::Range lets nan pass, which is neither below nor above.
+// CLI::Range lets nan pass, which is neither below nor above.
 CLI::Validator between(double low, double high) {
   return CLI::Validator(
       [=](const std::string& text) {
@@ -21,11 +20,7 @@ CLI::Validator between(double low, double high) {
       fmt::format("FLOAT in [{} - {}]", low, high));
 }
 
-// --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
-void add_common(CLI::App& command, Common& common, bool runs_impacts,
-                const std::string& out =
-                    "folder for results (default: NAME.out in the working folder, NAME that of "
-                    "the input; none: no files)") {
+void add_common(CLI::App& command, Common& common, bool runs_impacts, const std::string& out) {
   command.add_option("--out", common.out, out);
   if (runs_impacts) {
     command.add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
@@ -37,6 +32,8 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts,
   command.add_flag("--check", common.check, "read and validate, run nothing");
   command.add_flag("--quiet", common.quiet, "print nothing but errors");
 }
+
+namespace {
 
 void add_sphere(CLI::App& command, SphereWords& words) {
   auto* radius = command.add_option("--radius", words.radius, "of the sphere, as \"1.59 mm\"");
@@ -201,72 +198,18 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
   commands.push_back({command, [&] { return run_study(study, common); }, true});
 }
 
-void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands) {
-  auto* command =
-      app.add_subcommand("fit", "stress-stretch CSV files -> moduli and exponents, every minimum, models compared");
-  command->add_option("files", fit.files, "CSV files; uniaxial=FILE, planar=FILE, ... say the deformation of each");
-  command
-      ->add_option(
-          "--mode", fit.mode,
-          "deformation where the file has no mode column, or one of other words: uniaxial, equibiaxial, planar, shear, "
-          "...; WORD=FILE of one file (may be given several times)")
-      ->allow_extra_args(false);
-  command->add_option("--model", fit.model, "ogden (one term), ogden2, ogden3, neo-hooke or mooney-rivlin")
-      ->check(CLI::IsMember({"ogden", "ogden2", "ogden3", "neo-hooke", "mooney-rivlin"}));
-  command->add_flag("--compare", fit.compare,
-                    "all models side by side: AICc, R^2 of each test, prediction of tests left out, stability");
-  command
-      ->add_option("--residual", fit.residual,
-                   "relative (Guha 2009, Eq. 3-4), absolute, or error (over the points' standard errors)")
-      ->check(CLI::IsMember({"relative", "absolute", "error"}));
-  command->add_option("--weights", fit.weights,
-                      "points: each counts the same; tests: each test does; NAME=NUMBER,...: tests by their shares");
-  command->add_option("--loss", fit.loss, "squares, or a robust loss: huber, cauchy")
-      ->check(CLI::IsMember({"squares", "huber", "cauchy"}));
-  command->add_flag("--unconstrained", fit.unconstrained, "single moduli of a sum may be negative");
-  command->add_option("--stable", fit.stable, "stretches LOW:HIGH over which stability is looked at");
-  command->add_option("--x", fit.x, "column of stretch, strain or shear");
-  command->add_option("--y", fit.y, "column of stress");
-  command->add_option("--error", fit.error, "column of the stress's standard error");
-  command
-      ->add_option("--where", fit.where,
-                   "keep the rows with COLUMN=VALUE, or with !=, <, <=, >, >= such as \"stretch<3\" (may be given "
-                   "several times)")
-      ->allow_extra_args(false);
-  command->add_option("--gauge-length", fit.gauge_length,
-                      "x is a displacement, over this length (the height in simple shear), as \"10 mm\"");
-  command->add_option("--area", fit.area, "y is a force, over this cross-section before the test, as \"78.5 mm2\"");
-  command->add_option("--specimen-diameter", fit.specimen_diameter, "in its place, of a round specimen");
-  command->add_option("--width", fit.width, "in its place, with --thickness");
-  command->add_option("--thickness", fit.thickness, "in its place, with --width");
-  command->add_option("--branch", fit.branch,
-                      "of cycles: loading, unloading, or the number of one branch, 1 the first");
-  command->add_option("--until", fit.until, "peak: each curve up to its largest stress")
-      ->check(CLI::IsMember({"peak"}));
-  command->add_option("--without", fit.without, "holds: no rows in which the stress relaxes at a held stretch")
-      ->check(CLI::IsMember({"holds"}));
-  command->add_flag("--intervals,!--no-intervals", fit.intervals,
-                    "profile-likelihood intervals of every parameter (default: yes)");
-  command->add_option("--level", fit.level, "confidence level of the intervals (default: 0.95)")
-      ->check(between(0.5, 0.9999));
-  command->add_option("--bootstrap", fit.bootstrap, "replicates of each kind of bootstrap (default: none)")
-      ->check(CLI::Range(0, 1000000));
-  auto* rate_factor = command->add_flag("--rate-factor", fit.rate_factor,
-                                        "one factor between two curves of one solid: files LOW_RATE HIGH_RATE");
-  command->add_option("--rate-column", fit.rate_column, "with --rate-factor and one file: the column of the rate")
-      ->needs(rate_factor);
-  for (const char* other :
-       {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap"})
-    rate_factor->excludes(other);
+void add_campaign(CLI::App& app, CampaignArguments& campaign, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand(
+      "campaign", "sweeps over any key of a scene or any dimensionless group -> a table of outcomes, a figure");
+  command->add_option("plan", campaign.plan, "TOML plan")->required();
+  command->add_flag("--estimate", campaign.estimate,
+                    "say how many runs it takes, how long and how much memory, from some short runs; do no others");
   command->footer(
-      "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
-      "          percal fit data/public/treloar1944_rubber_primary.csv --compare --weights tests\n"
-      "          percal fit machine.csv --mode compression --gauge-length 10mm --specimen-diameter 12mm\n"
-      "          percal fit uniaxial=tension.csv planar=shear.csv --where \"stretch<3\"\n"
-      "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
-      "data/synthetic/gelatin_12wt_highrate.csv");
-  add_common(*command, common, false);
-  commands.push_back({command, [&] { return run_fit(fit, common); }});
+      "Killed and started again it goes on where it was; started twice, both processes share the runs.\n"
+      "Examples: percal new campaign -o plan.toml && percal campaign plan.toml --estimate\n"
+      "          percal campaign plan.toml");
+  add_common(*command, common, true);
+  commands.push_back({command, [&] { return run_campaign(campaign, common); }, true});
 }
 
 void add_scale(CLI::App& app, ScaleArguments& scale, Common& common, std::vector<Command>& commands) {
@@ -307,7 +250,7 @@ void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Com
   auto* command = app.add_subcommand("new", "a commented template of a scene, a job or a table of a curve");
   command->add_option("kind", start.kind, "a kind of file, or the command that reads it")
       ->required()
-      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "fit", "impact", "study", "job"}));
+      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "fit", "impact", "study", "job"}));
   command->add_flag("--all", start.all, "every key, not those alone that one needs");
   command
       ->add_option("-o,--file", start.file,
@@ -321,7 +264,7 @@ void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Com
 void add_keys(CLI::App& app, KeysArguments& keys, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("keys", "every key of a kind of file: what it may be, its default, what it means");
   auto* kind = command->add_option("kind", keys.kind, "a kind of file, or the command that reads it")
-                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "impact", "study", "job"}));
+                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "impact", "study", "job"}));
   auto* json = command->add_flag("--json", common.json, "print them as JSON");
   command->add_flag("--markdown", keys.markdown, "all kinds, as a page")->excludes(kind)->excludes(json);
   command->footer("Example: percal keys scene");
@@ -355,7 +298,7 @@ void name_values(CLI::App& app) {
   static const std::vector<std::pair<std::vector<std::string>, std::string>> names{
       {{"--out", "--plots"}, "FOLDER"},
       {{"--store", "--file", "--history", "--markdown", "--write-scene", "--picture", "--csv"}, "FILE"},
-      {{"files", "scene", "job", "result", "results", "card", "sources"}, "FILE"},
+      {{"files", "scene", "job", "plan", "result", "results", "card", "sources"}, "FILE"},
       {{"--shots"}, "FILE.csv"},
       {{"--x", "--y", "--error", "--rate-column"}, "COLUMN"},
       {{"--where"}, "COLUMN=VALUE"},
@@ -381,6 +324,7 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_scale(app, a.scale, a.common, commands);
   add_impact(app, a.impact, a.common, commands);
   add_study(app, a.study, a.common, commands);
+  add_campaign(app, a.campaign, a.common, commands);
   add_identify(app, a.identify, a.common, commands);
   add_calibrate(app, a.calibrate, a.common, commands);
   add_predict(app, a.predict, a.common, commands);

@@ -1,4 +1,4 @@
-// The options of every command. CLI11 is seen by options.cpp and command_line.cpp alone.
+// The options of every command. CLI11 is seen by options*.cpp and command_line.cpp alone.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -18,6 +18,7 @@ struct Arguments {
   PredictArguments predict;
   InvertArguments invert;
   StudyArguments study;
+  CampaignArguments campaign;
   IdentifyArguments identify;
   CalibrateArguments calibrate;
   CardArguments card;
@@ -35,6 +36,16 @@ struct Command {
   std::function<Exit()> run;
   bool runs_impacts = false;  // may be interrupted and resumed
 };
+
+// A number of the range.
+CLI::Validator between(double low, double high);
+
+// --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
+void add_common(CLI::App& command, Common& common, bool runs_impacts,
+                const std::string& out = "folder for results (default: NAME.out in the working folder, NAME that of "
+                                         "the input; none: no files)");
+
+void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands);
 
 // Those of `percal card`.
 void add_card(CLI::App& app, CardArguments& card, Common& common, std::vector<Command>& commands);

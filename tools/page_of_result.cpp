@@ -15,6 +15,7 @@
 #include "percal/predict/page/page.hpp"
 #include "percal/scaling/page/page.hpp"
 #include "percal/study/page/page.hpp"
+#include "percal/sweep/page/page.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::tools {
@@ -26,10 +27,11 @@ struct PageOfCommand {
   const char* command;
   page::Page (*page)(const Json&);
 };
-constexpr std::array<PageOfCommand, 8> pages{{{"fit", fit_page},
+constexpr std::array<PageOfCommand, 9> pages{{{"fit", fit_page},
                                               {"scale", scale_page},
                                               {"impact", impact_page},
                                               {"study", study_page},
+                                              {"campaign", sweep_page},
                                               {"identify", identify_page},
                                               {"calibrate", calibrate_page},
                                               {"predict", predict_page},

@@ -13,6 +13,7 @@
 #include "percal/base/ending.hpp"
 #include "percal/base/error.hpp"
 #include "percal/base/inputs.hpp"
+#include "percal/base/memory.hpp"
 #include "percal/base/printable.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/base/threads.hpp"

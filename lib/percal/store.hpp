@@ -5,4 +5,5 @@
 //     percal::Store store(percal::default_store_path());
 //     std::cout << store.size() << " evaluations\n";
 #pragma once
+#include "percal/store/claims.hpp"
 #include "percal/store/store.hpp"

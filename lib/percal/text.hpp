@@ -13,3 +13,4 @@
 #include "percal/text/job_table.hpp"
 #include "percal/text/range.hpp"
 #include "percal/text/toml.hpp"
+#include "percal/text/toml_edits.hpp"

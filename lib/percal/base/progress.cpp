@@ -60,9 +60,10 @@ Progress::~Progress() {
   shown.compare_exchange_strong(mine, nullptr);
 }
 
-void Progress::add(long finished) {
+void Progress::add(long finished, double work) {
   const std::lock_guard lock(mutex_);
   done_ += finished;
+  done_work_ += work;
   if (!visible_) return;
   const auto now = Clock::now();
   const bool bar = on_terminal();
@@ -75,11 +76,20 @@ void Progress::expect(long more) {
   total_ += more;
 }
 
+void Progress::weigh(double total_work) {
+  const std::lock_guard lock(mutex_);
+  total_work_ = total_work;
+}
+
+double Progress::share_done() const {
+  return total_work_ > 0 ? std::min(1.0, done_work_ / total_work_) : share_of(done_, total_);
+}
+
 void Progress::say(Clock::time_point now) {
   const Progress* nobody = nullptr;
   if (!shown.compare_exchange_strong(nobody, this) && nobody != this) return;
   said_ = now;
-  const double share = share_of(done_, total_);
+  const double share = share_done();
   double left = share > 0 ? std::chrono::duration<double>(now - start_).count() * (1 - share) / share : 0;
   if (deadline_) left = std::clamp(std::chrono::duration<double>(*deadline_ - now).count(), 0.0, left);
   const long seconds = static_cast<long>(left + 0.5);

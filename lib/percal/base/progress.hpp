@@ -20,17 +20,22 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void add(long finished = 1);
+  // `work`: of a weighed total, what the piece took of it.
+  void add(long finished = 1, double work = 0);
   void expect(long more);  // the total grows: searches don't know beforehand how many runs they need
+  // Pieces are unlike: the time left goes by the work that they say, out of this much, and not by their number.
+  void weigh(double total_work);
 
   // Whether anything is said at all: off until a program turns it on.
   static void enable(bool wanted);
 
  private:
   void say(Clock::time_point now);
+  double share_done() const;
   std::mutex mutex_;
   std::string label_;
   long total_ = 0, done_ = 0;
+  double total_work_ = 0, done_work_ = 0;  // of pieces that are weighed
   bool visible_ = false;
   std::optional<Clock::time_point> deadline_;
   Clock::time_point start_, said_;

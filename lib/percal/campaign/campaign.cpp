@@ -9,8 +9,11 @@
 #include <mutex>
 #include <new>
 #include <stdexcept>
+#include <thread>
+#include <utility>
 
 #include "percal/base/error.hpp"
+#include "percal/base/memory.hpp"
 #include "percal/base/threads.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
@@ -80,15 +83,10 @@ Evaluation Campaign::read(const StoredEvaluation& stored) const {
   }
 }
 
-namespace {
-
-// What a run is expected to cost in proportion to.
-double expected_work(const Problem& problem) {
+double work_of(const Problem& problem) {
   const RunSize size = size_of(problem);
   return size.elements * size.steps;
 }
-
-}  // namespace
 
 struct Campaign::Books {
   std::mutex mutex;
@@ -99,48 +97,122 @@ struct Campaign::Books {
     const std::lock_guard lock(mutex);
     ++cost.runs;
     cost.cpu_seconds += evaluation.cpu_seconds;
-    work += expected_work(problem);
+    work += work_of(problem);
     wall_seconds += evaluation.wall_seconds;
+  }
+  void add_reused() {
+    const std::lock_guard lock(mutex);
+    ++cost.reused;
   }
   double expected_seconds(const Problem& problem) {
     const std::lock_guard lock(mutex);
-    return work > 0 ? wall_seconds / work * expected_work(problem) : 0;
+    return work > 0 ? wall_seconds / work * work_of(problem) : 0;
   }
+};
+
+// A problem with its key. One with an observer or a history is never taken from the store.
+struct Campaign::Task {
+  const Problem& problem;
+  FrameObserver* observer;  // may be null
+  std::string key;
+  bool is_shared = false;  // by the store
+};
+
+Campaign::Task Campaign::task_of(const Problem& problem, FrameObserver* observer) const {
+  return {problem, observer, evaluation_key(problem, instruction_level()),
+          store_ && !observer && problem.history_samples == 0};
+}
+
+// What came of asking for an evaluation once: it is there, another thread or process is at it, or there is no time for it.
+struct Campaign::Attempt {
+  enum { done, busy, too_late } end = done;
+  std::optional<Evaluation> evaluation = {};
 };
 
 Campaign::Campaign(Store* store, int threads)
     : store_(store), threads_(threads > 0 ? threads : threads_of_this_machine()), books_(std::make_shared<Books>()) {}
 
-Evaluation Campaign::evaluate(const Problem& problem) { return *evaluate(problem, 1, nullptr, {}); }
+// `knows_less`: the store has it, but of somebody who asked for less.
+std::optional<Campaign::Attempt> Campaign::stored(const Task& task, bool& knows_less) {
+  const auto found = store_->find(task.key);
+  if (!found) return std::nullopt;
+  Evaluation evaluation = read(*found);
+  knows_less = lacks_something(evaluation.result, task.problem);
+  if (knows_less) return std::nullopt;
+  books_->add_reused();
+  return Attempt{.evaluation = std::move(evaluation)};
+}
 
-std::optional<Evaluation> Campaign::evaluate(const Problem& problem, int threads, FrameObserver* observer,
-                                             const Deadline& deadline) {
-  if (stop_wanted_ && stop_wanted_()) throw Interrupted();
-  const std::string key = evaluation_key(problem, instruction_level());
-  bool knows_less = false;  // what the store has
-  if (store_ && !observer && problem.history_samples == 0) {
-    if (const auto stored = store_->find(key)) {
-      Evaluation evaluation = read(*stored);
-      knows_less = lacks_something(evaluation.result, problem);
-      if (!knows_less) {
-        const std::lock_guard lock(books_->mutex);
-        ++books_->cost.reused;
-        return evaluation;
-      }
-    }
-  }
+Campaign::Attempt Campaign::run_unless_too_late(const Task& task, int threads, const Deadline& deadline,
+                                                bool stored_knows_less) {
   if (deadline) {
     const std::chrono::duration<double> left = *deadline - std::chrono::steady_clock::now();
-    if (left.count() < books_->expected_seconds(problem)) return std::nullopt;
+    if (left.count() < books_->expected_seconds(task.problem)) return {.end = Attempt::too_late};
   }
-  StopWatch watch(stop_wanted_, observer);
-  Evaluation evaluation = run(problem, threads, stop_wanted_ ? &watch : observer);
+  StopWatch watch(stop_wanted_, task.observer);
+  Evaluation evaluation = run(task.problem, threads, stop_wanted_ ? &watch : task.observer);
   if (store_) {
     const StoredEvaluation row{word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds};
-    knows_less ? store_->replace(key, row) : store_->put(key, row);
+    stored_knows_less ? store_->replace(task.key, row) : store_->put(task.key, row);
   }
-  books_->add(problem, evaluation);
-  return evaluation;
+  books_->add(task.problem, evaluation);
+  return {.evaluation = std::move(evaluation)};
+}
+
+Campaign::Attempt Campaign::attempt(const Task& task, int threads, const Deadline& deadline) {
+  if (stop_wanted_ && stop_wanted_()) throw Interrupted();
+  bool knows_less = false;
+  if (!task.is_shared) return run_unless_too_late(task, threads, deadline, knows_less);
+  if (auto found = stored(task, knows_less)) return std::move(*found);
+  const auto claim = store_->claim(task.key);
+  if (!claim) {
+    const bool too_late = deadline && std::chrono::steady_clock::now() >= *deadline;
+    return {.end = too_late ? Attempt::too_late : Attempt::busy};
+  }
+  if (auto found = stored(task, knows_less)) return std::move(*found);  // finished since
+  return run_unless_too_late(task, threads, deadline, knows_less);
+}
+
+namespace {
+
+constexpr std::chrono::milliseconds between_attempts{20};  // at what others are at
+
+// Problems that are the same are evaluated once; those with a history or a channel apart from those without.
+struct Distinct {
+  std::vector<std::size_t> stands_for;  // of each problem, the first that is the same
+  std::vector<std::size_t> first;       // those, in order
+};
+
+template <class Tasks>
+Distinct distinct_among(const Tasks& tasks) {
+  Distinct distinct;
+  std::map<std::string, std::size_t> first_with_key;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    std::string key = tasks[i].key;
+    if (tasks[i].problem.history_samples > 0) key += " history";
+    if (tasks[i].problem.channel) key += " channel";
+    const auto [place, is_new] = first_with_key.try_emplace(key, i);
+    distinct.stands_for.push_back(place->second);
+    if (is_new) distinct.first.push_back(i);
+  }
+  return distinct;
+}
+
+// The longest first: what is left for the end is short, and the threads end together.
+void put_longest_first(std::vector<std::size_t>& order, const std::vector<Problem>& problems) {
+  std::vector<double> work;
+  for (const Problem& problem : problems) work.push_back(work_of(problem));
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
+}
+
+}  // namespace
+
+Evaluation Campaign::evaluate(const Problem& problem) {
+  const Task task = task_of(problem, nullptr);
+  for (;;) {
+    if (const Attempt found = attempt(task, 1, {}); found.evaluation) return *found.evaluation;
+    std::this_thread::sleep_for(between_attempts);
+  }
 }
 
 std::vector<Evaluation> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
@@ -157,24 +229,32 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate_by(const Deadline& dea
 
 std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
                                                           const Watch& watch, const Deadline& deadline) {
-  // Problems that are the same are evaluated once; those with a history or a channel apart from those without.
-  std::map<std::string, std::size_t> first_with_key;
-  std::vector<std::size_t> stands_for(problems.size()), distinct;
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    std::string key = evaluation_key(problems[i], instruction_level());
-    if (problems[i].history_samples > 0) key += " history";
-    if (problems[i].channel) key += " channel";
-    const auto [place, is_new] = first_with_key.try_emplace(key, i);
-    stands_for[i] = place->second;
-    if (is_new) distinct.push_back(i);
-  }
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    tasks.push_back(task_of(problems[i], i == watch.problem ? watch.observer : nullptr));
+  auto [stands_for, left] = distinct_among(tasks);
+  if (!deadline) put_longest_first(left, problems);
   std::vector<std::optional<Evaluation>> results(problems.size());
-  const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(distinct.size())));
-  side_by_side(static_cast<int>(distinct.size()), [&](int k) {
-    results[distinct[k]] = evaluate(problems[distinct[k]], threads_each,
-                                    distinct[k] == watch.problem ? watch.observer : nullptr, deadline);
-    if (progress) progress->add();
-  });
+  const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(left.size())));
+  MemoryRoom room(memory_.value_or(available_memory()));
+  // What others are at is left to them, and asked for again when all the rest is done.
+  for (std::vector<std::size_t> busy; !left.empty(); left = std::exchange(busy, {})) {
+    std::mutex mutex;
+    side_by_side(static_cast<int>(left.size()), [&](int k) {
+      const Task& task = tasks[left[k]];
+      const MemoryRoom::Place place(room, size_of(task.problem).bytes);
+      Attempt found = attempt(task, threads_each, deadline);
+      if (found.end == Attempt::busy) {
+        const std::lock_guard lock(mutex);
+        busy.push_back(left[k]);
+        return;
+      }
+      const bool ran_here = found.evaluation && !found.evaluation->reused;
+      results[left[k]] = std::move(found.evaluation);
+      if (progress) progress->add(1, ran_here ? work_of(task.problem) : 0);
+    });
+    if (busy.size() == left.size()) std::this_thread::sleep_for(between_attempts);
+  }
   for (std::size_t i = 0; i < problems.size(); ++i)
     if (stands_for[i] != i) {
       results[i] = results[stands_for[i]];

@@ -1,5 +1,6 @@
-// Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core; where there are
-// fewer runs than cores, large ones get several. The bits are the same.
+// Many evaluations: what the store has is taken from there, the rest runs side by side, one run on each core, as many as fit into
+// memory; where there are fewer runs than cores, large ones get several. The bits are the same. Processes that share a store share
+// the work: what one is at, the others leave to it and take from the store (docs/decisions/0020-claims.md).
 #pragma once
 #include <chrono>
 #include <exception>
@@ -35,6 +36,9 @@ class Interrupted : public std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
+// What a run is expected to cost in proportion to: its elements times an upper bound of its steps (impact/target/size.hpp).
+double work_of(const Problem& problem);
+
 class Campaign {
  public:
   // A store that is null is not used. threads = 0: one for each core.
@@ -44,7 +48,8 @@ class Campaign {
   // never taken from the store, which keeps none.
   Evaluation evaluate(const Problem& problem);
 
-  // A batch, side by side; results in the order of the problems, whatever finished first. `progress` may be null.
+  // A batch, side by side, the longest first; results in the order of the problems, whatever finished first. `progress` may be null;
+  // it is told the work_of() each run that is done here.
   std::vector<Evaluation> evaluate(const std::vector<Problem>& problems, Progress* progress, const Watch& watch = {});
 
   // The same, but a run is begun only where it is expected to be done by the deadline, from what the campaign's runs have cost so
@@ -60,6 +65,9 @@ class Campaign {
   // work(0) ... work(count - 1), each on one of the threads. The first exception ends the rest and is thrown here.
   void side_by_side(int count, const std::function<void(int)>& work) const;
 
+  // Runs of a batch go side by side as long as they fit into so many bytes; left out, into what is available when it begins.
+  void keep_within(double bytes) { memory_ = bytes; }
+
   // Asked before each run and at its every step, from several threads at once; where it answers yes, the run ends and Interrupted is
   // thrown.
   void stop_when(std::function<bool()> wanted) { stop_wanted_ = std::move(wanted); }
@@ -68,8 +76,12 @@ class Campaign {
   int threads() const { return threads_; }
 
  private:
-  std::optional<Evaluation> evaluate(const Problem& problem, int threads, FrameObserver* observer,
-                                     const Deadline& deadline);
+  struct Task;
+  struct Attempt;
+  Task task_of(const Problem& problem, FrameObserver* observer) const;
+  Attempt attempt(const Task& task, int threads, const Deadline& deadline);
+  Attempt run_unless_too_late(const Task& task, int threads, const Deadline& deadline, bool stored_knows_less);
+  std::optional<Attempt> stored(const Task& task, bool& knows_less);
   std::vector<std::optional<Evaluation>> evaluate(const std::vector<Problem>& problems, Progress* progress,
                                                   const Watch& watch, const Deadline& deadline);
   Evaluation read(const StoredEvaluation& stored) const;
@@ -78,6 +90,7 @@ class Campaign {
   Store* store_;
   int threads_;
   std::function<bool()> stop_wanted_;  // may be empty
+  std::optional<double> memory_;       // bytes
   std::shared_ptr<Books> books_;
 };
 

@@ -14,8 +14,8 @@ struct Kind {
 };
 
 // In the order of DocumentKind.
-const std::array<Kind, 4>& kinds() {
-  static const std::array<Kind, 4> all{{
+const std::array<Kind, 5>& kinds() {
+  static const std::array<Kind, 5> all{{
       {"a scene, for percal impact and percal study", "a scene: [particle] and [target]", {"particle", "target"}},
       {"a job of percal scale", "a job of percal scale: [prototype] and [model]", {"prototype"}},
       {"a job of percal identify",
@@ -24,6 +24,7 @@ const std::array<Kind, 4>& kinds() {
       {"a job of percal calibrate",
        "a job of percal calibrate: [parameters.NAME], [materials.NAME], [[shots]] and [[curves]]",
        {"parameters", "materials", "shots", "curves", "hypotheses"}},
+      {"a plan of percal campaign", "a plan of percal campaign: scene and [[sweep]]", {"sweep"}},
   }};
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <cassert>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -67,6 +68,7 @@ struct Store::Connection {
   std::string file;                 // what is opened
   mutable std::mutex mutex;
   Database database;
+  std::unique_ptr<Claims> claims;  // of a store that is opened, not of a copy
   Statement select, select_from, insert, replace, count, select_note, insert_note;
 
   [[noreturn]] void fail_to_read() const {
@@ -232,6 +234,7 @@ Store::Store() : connection_(std::make_unique<Connection>()) {}
 Store::Store(const std::string& path) : Store() {
   connection_->path = connection_->file = full_path(path);
   open();
+  connection_->claims = std::make_unique<Claims>(std::filesystem::weakly_canonical(connection_->file).string());
   remember_input(connection_->file);  // nothing that a command writes may replace it either
 }
 
@@ -266,6 +269,11 @@ std::optional<StoredEvaluation> Store::find(const std::string& key) const {
   if (result == SQLITE_DONE) return std::nullopt;
   if (result != SQLITE_ROW) connection_->fail_to_read();
   return StoredEvaluation{text_at(select, 0), text_at(select, 1), sqlite3_column_double(select.get(), 2)};
+}
+
+std::optional<Claims::Claim> Store::claim(const std::string& key) const {
+  assert(connection_->claims);
+  return connection_->claims->claim(key);
 }
 
 std::vector<KeyedEvaluation> Store::with_prefix(const std::string& prefix) const {

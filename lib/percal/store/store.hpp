@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "percal/store/claims.hpp"
+
 namespace percal {
 
 struct StoredEvaluation {
@@ -39,6 +41,9 @@ class Store {
   void put(const std::string& key, const StoredEvaluation& evaluation);
   // The same in place of what is there: an evaluation that knows more.
   void replace(const std::string& key, const StoredEvaluation& evaluation);
+  // On the work for a key, as long as it is alive; nothing where another thread or process is at it. Who gets one looks into the
+  // store again, since the work may just have been done.
+  std::optional<Claims::Claim> claim(const std::string& key) const;
   // Those whose key begins with `prefix`, in the order of the keys' bytes.
   std::vector<KeyedEvaluation> with_prefix(const std::string& prefix) const;
   long size() const;

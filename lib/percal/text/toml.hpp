@@ -2,11 +2,13 @@
 // error. Messages name file, line, key, what was found and what is accepted.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "percal/base/error.hpp"
@@ -15,6 +17,12 @@
 #include "percal/units/quantity.hpp"
 
 namespace percal {
+
+// A value by itself: true or false, a whole number, a number, a text (words, quantities).
+using TomlScalar = std::variant<bool, std::int64_t, double, std::string>;
+
+// As a file has it: "83 m/s" in quotes.
+std::string written(const TomlScalar& value);
 
 // One table of a TOML file. Every getter marks its key as known; finish() throws BadInput for the keys that nobody
 // asked for, with the nearest known key as a suggestion. Getters without a fallback throw BadInput where the key is
@@ -48,6 +56,10 @@ class TomlTable {
   // One word of a list; returns its index.
   int word(const std::string& key, const std::vector<std::string>& accepted) const;
   int word(const std::string& key, const std::vector<std::string>& accepted, int fallback) const;
+
+  // Whatever it is, for who hands it on to another reader.
+  TomlScalar scalar(const std::string& key) const;
+  std::vector<TomlScalar> scalars(const std::string& key) const;  // an array, not empty
 
   // Marks a key as known that is refused where it is given, because it belongs to another shape or kind.
   void knows(const std::string& key) const;

@@ -1,5 +1,5 @@
-// What stands behind a TomlTable: its table in the document, and what has been asked of it. For toml.cpp and toml_tables.cpp alone:
-// it is the one header that includes toml++.
+// What stands behind a TomlTable: its table in the document, and what has been asked of it. For toml.cpp, toml_tables.cpp and
+// toml_edits.cpp alone: it is the one header that includes toml++.
 #pragma once
 #include <fmt/format.h>
 
@@ -189,5 +189,9 @@ struct TomlTable::Node {
     for (const auto& [name, inner] : children) inner->collect_unknown(messages);
   }
 };
+
+// The root of a document whose tables were looked over before anything was asked of them, each change one of `edit`. `record` may be null.
+TomlTable parse_document(const std::string& text, const std::string& name, KeyRecord* record,
+                         const std::function<void(toml::table&)>& edit);
 
 }  // namespace percal

@@ -143,11 +143,17 @@ void TomlTable::finish() const {
 TomlTable read_toml(const std::string& path) { return parse_toml(read_file(path), path); }
 
 TomlTable parse_toml(const std::string& text, const std::string& name) {
+  return parse_document(text, name, KeyRecording::start(name), {});
+}
+
+TomlTable parse_document(const std::string& text, const std::string& name, KeyRecord* record,
+                         const std::function<void(toml::table&)>& edit) {
   if (text.size() > largest_file) throw BadInput(name + ": is larger than 16 MiB");
   refuse_deep_keys(text, name);
   try {
-    auto document =
-        std::make_shared<const TomlDocument>(TomlDocument{name, toml::parse(text), KeyRecording::start(name)});
+    toml::table content = toml::parse(text);
+    if (edit) edit(content);
+    auto document = std::make_shared<const TomlDocument>(TomlDocument{name, std::move(content), record});
     const toml::table* root = &document->root;
     return TomlTable(
         std::make_shared<const TomlTable::Node>(TomlTable::Node{std::move(document), root, "", "", 0, {}, {}}));

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "percal/base/error.hpp"
 #include "percal/observe/page/scene_words.hpp"
 #include "percal/page/numbers.hpp"
-#include "percal/plot/quoted.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/study/page/error_vs_time.hpp"
 #include "percal/study/page/extremes.hpp"
@@ -16,21 +14,8 @@
 #include "percal/units/words.hpp"
 
 namespace percal {
-namespace {
 
 using page::Json;
-
-std::string cell_of(const Json& row, const ResultColumn& column) {
-  const Json* value = &row;
-  std::istringstream path(column.path);
-  for (std::string key; std::getline(path, key, '/');) value = &page::at(*value, key);
-  if (value->is_number_float()) return fmt::format("{:.9g}", value->get<double>());
-  if (value->is_string())
-    return column.form == ResultColumn::free_text ? csv_quoted(value->get<std::string>()) : value->get<std::string>();
-  return value->is_null() ? "" : value->dump();
-}
-
-}  // namespace
 
 page::Page study_page(const Json& result) {
   const std::string kind = page::text(result, "study");
@@ -72,18 +57,6 @@ Json rung_to_json(const Rung& rung) {
 Json emptied(Json object) {
   for (Json& value : object) value = nullptr;
   return object;
-}
-
-std::string as_csv(const std::vector<ResultColumn>& columns, const std::vector<Json>& rows) {
-  std::vector<std::string> cells;
-  for (const ResultColumn& column : columns) cells.push_back(column.name);
-  std::string csv = joined(cells, ",") + "\n";
-  for (const Json& row : rows) {
-    cells.clear();
-    for (const ResultColumn& column : columns) cells.push_back(cell_of(row, column));
-    csv += joined(cells, ",") + "\n";
-  }
-  return csv;
 }
 
 std::string studied_scene(const Json& result) {

@@ -6,6 +6,7 @@
 
 #include "percal/page/page.hpp"
 #include "percal/page/result.hpp"
+#include "percal/page/result_csv.hpp"
 #include "percal/scene/scene.hpp"
 #include "percal/study/ladder.hpp"
 
@@ -27,13 +28,6 @@ page::Json rung_to_json(const Rung& rung);  // without errors
 
 // The same keys, with null under each: of what is not there.
 page::Json emptied(page::Json object);
-
-// A column of a CSV file: where its cells stand in a row of the result, "error/low". Free text is quoted.
-struct ResultColumn {
-  std::string name, path;
-  enum { word_or_number, free_text } form = word_or_number;
-};
-std::string as_csv(const std::vector<ResultColumn>& columns, const std::vector<page::Json>& rows);
 
 // --- reading ------------------------------------------------------------------------------------------------------
 
