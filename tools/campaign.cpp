@@ -29,11 +29,16 @@ long runs_of(const std::vector<SweepPoint>& points) {
   return runs;
 }
 
-Exit say_estimate(const std::string& plan, const std::vector<SweepPoint>& points, const Store& store, const Common& common) {
+Exit say_estimate(const std::string& plan, const std::vector<SweepPoint>& points, const Store& store,
+                  const Common& common) {
   const auto to_run = problems_to_run(problems_of(points), &store);
   const CostEstimate estimate = estimate_cost(to_run, runs_of(points), Campaign(nullptr, common.threads).threads());
   if (common.json)
-    fmt::print("{}\n", page::Json{{"command", "campaign"}, {"job", plan}, {"points", points.size()}, {"estimate", estimate_to_json(estimate)}}.dump());
+    fmt::print(
+        "{}\n",
+        page::Json{
+            {"command", "campaign"}, {"job", plan}, {"points", points.size()}, {"estimate", estimate_to_json(estimate)}}
+            .dump());
   if (common.talks()) print(fmt::format("{}: {} points, {}\n", plan, points.size(), in_words(estimate)));
   return Exit::done;
 }
@@ -45,12 +50,14 @@ Exit run_campaign(const CampaignArguments& arguments, const Common& common) {
   const Plan plan = read_plan(arguments.plan);
   const auto points = points_to_run(plan);  // throws where one cannot be run
   if (common.check)
-    return say_valid(fmt::format("{}: a plan that can be run: {} points, {} runs, the largest of {}", arguments.plan,
-                                 points.size(), runs_of(points), in_words(largest_of(points))),
-                     {{"command", "campaign"}, {"job", arguments.plan}, {"points", points.size()}, {"runs", runs_of(points)}},
-                     common, largest_of(points));
+    return say_valid(
+        fmt::format("{}: a plan that can be run: {} points, {} runs, the largest of {}", arguments.plan, points.size(),
+                    runs_of(points), in_words(largest_of(points))),
+        {{"command", "campaign"}, {"job", arguments.plan}, {"points", points.size()}, {"runs", runs_of(points)}},
+        common, largest_of(points));
   if (arguments.estimate)
-    return say_estimate(arguments.plan, points, Store(common.store.empty() ? default_store_path() : common.store), common);
+    return say_estimate(arguments.plan, points, Store(common.store.empty() ? default_store_path() : common.store),
+                        common);
   const std::string folder = out_folder(arguments.plan, common);
   if (!folder.empty()) ensure_writable_file(folder + "/points.csv");
   Store store(common.store.empty() ? default_store_path() : common.store);

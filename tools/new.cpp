@@ -67,7 +67,7 @@ std::string comment_for(const KeyEntry& key, const std::string& note, bool optio
   std::string stand = key.fallback.starts_with("required") ? key.fallback : "";
   if (!note.empty())
     stand = note;
-  else if (optional)
+  else if (optional && stand.empty())
     stand = key.fallback == "left out"    ? "example"
             : key.fallback.front() == '"' ? "default"
                                           : "default " + key.fallback;

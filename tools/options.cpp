@@ -263,8 +263,9 @@ void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Com
 
 void add_keys(CLI::App& app, KeysArguments& keys, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("keys", "every key of a kind of file: what it may be, its default, what it means");
-  auto* kind = command->add_option("kind", keys.kind, "a kind of file, or the command that reads it")
-                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "impact", "study", "job"}));
+  auto* kind =
+      command->add_option("kind", keys.kind, "a kind of file, or the command that reads it")
+          ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "impact", "study", "job"}));
   auto* json = command->add_flag("--json", common.json, "print them as JSON");
   command->add_flag("--markdown", keys.markdown, "all kinds, as a page")->excludes(kind)->excludes(json);
   command->footer("Example: percal keys scene");

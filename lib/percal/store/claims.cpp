@@ -45,7 +45,8 @@ Claims::~Claims() {
 
 // Somebody may have taken the file away between its opening and the lock.
 bool Claims::is_still_named() const {
-  struct stat open_file {}, named {};
+  struct stat open_file {
+  }, named{};
   return fstat(descriptor_, &open_file) == 0 && stat(file_.c_str(), &named) == 0 && open_file.st_ino == named.st_ino &&
          open_file.st_dev == named.st_dev;
 }

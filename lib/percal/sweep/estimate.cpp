@@ -17,9 +17,9 @@
 namespace percal {
 namespace {
 
-constexpr int most_measured = 16;
-constexpr double coarser = 0.5;           // of the elements per radius
-constexpr double fewest_elements = 5;     // per radius: below, a run's share of its size is another
+constexpr std::size_t most_measured = 16;
+constexpr double coarser = 0.5;             // of the elements per radius
+constexpr double fewest_elements = 5;       // per radius: below, a run's share of its size is another
 constexpr double most_measured_work = 1e9;  // of one run: a few seconds
 
 // Elements per radius of the run that is measured for a problem: coarser, but not so coarse that it would be another problem.
@@ -30,19 +30,31 @@ double measured_mesh(const Problem& problem) {
   return std::min(problem.elements_per_radius, std::max(least, std::min(coarser * problem.elements_per_radius, quick)));
 }
 
-// Evenly over the problems in the order of their work.
-std::vector<Problem> sample_of(const std::vector<Problem>& problems) {
-  std::vector<const Problem*> sorted;
-  for (const Problem& problem : problems) sorted.push_back(&problem);
-  std::ranges::stable_sort(sorted, {}, [](const Problem* problem) { return work_of(*problem); });
-  const int count = std::min<int>(most_measured, static_cast<int>(sorted.size()));
-  std::vector<Problem> sample;
-  for (int k = 0; k < count; ++k) {
-    const auto place = static_cast<std::size_t>((k + 0.5) / count * static_cast<double>(sorted.size()));
-    sample.push_back(on_mesh(*sorted[place], measured_mesh(*sorted[place])));
+// Points with something to run in the order of the work of one run, and which of them are measured.
+struct Sample {
+  std::vector<const std::vector<Problem>*> points;
+  std::vector<std::size_t> measured;  // of `points`, evenly among them
+
+  explicit Sample(const std::vector<std::vector<Problem>>& to_run) {
+    for (const auto& problems : to_run)
+      if (!problems.empty()) points.push_back(&problems);
+    std::ranges::stable_sort(points, {}, [](const auto* problems) { return work_of(middle(*problems)); });
+    const std::size_t count = std::min(most_measured, points.size());
+    for (std::size_t k = 0; k < count; ++k) measured.push_back((2 * k + 1) * points.size() / (2 * count));
   }
-  return sample;
-}
+  static const Problem& middle(const std::vector<Problem>& problems) { return problems[problems.size() / 2]; }
+
+  std::vector<Problem> coarser_problems() const {
+    std::vector<Problem> problems;
+    for (const std::size_t place : measured)
+      problems.push_back(on_mesh(middle(*points[place]), measured_mesh(middle(*points[place]))));
+    return problems;
+  }
+  // Of the measured ones, the one that stands for a point.
+  std::size_t nearest(std::size_t place) const {
+    return std::min(measured.size() - 1, place * measured.size() / points.size());
+  }
+};
 
 // When the last of these ends, each begun by the thread that is free first, the longest first.
 double end_of_all(std::vector<double> seconds, int threads) {
@@ -84,30 +96,31 @@ void add_memory(CostEstimate& estimate, const std::vector<Problem>& problems, in
 
 }  // namespace
 
-CostEstimate estimate_cost(const std::vector<Problem>& to_run, long runs, int threads) {
-  CostEstimate estimate{.runs = runs, .stored = runs - static_cast<long>(to_run.size()), .threads = threads};
-  add_memory(estimate, to_run, threads);
-  const std::vector<Problem> sample = sample_of(to_run);
-  if (sample.empty()) return estimate;
+CostEstimate estimate_cost(const std::vector<std::vector<Problem>>& to_run, long runs, int threads) {
+  CostEstimate estimate{.runs = runs, .threads = threads};
+  std::vector<Problem> all;
+  for (const auto& problems : to_run) all.insert(all.end(), problems.begin(), problems.end());
+  estimate.stored = runs - static_cast<long>(all.size());
+  if (all.empty()) return estimate;
+  add_memory(estimate, all, threads);
+  const Sample sample(to_run);
+  const std::vector<Problem> coarser_problems = sample.coarser_problems();
   Campaign campaign(nullptr, threads);
-  double steps = 0, work = 0, wall = 0;
-  const auto measured = campaign.evaluate(sample, nullptr);
-  for (std::size_t k = 0; k < sample.size(); ++k) {
-    steps += measured[k].result.element_steps;
-    work += work_of(sample[k]);
-    wall += measured[k].wall_seconds;
-  }
-  estimate.measured_runs = static_cast<int>(sample.size());
+  const auto measured = campaign.evaluate(coarser_problems, nullptr);
+  estimate.measured_runs = static_cast<int>(measured.size());
   estimate.measured_cpu_seconds = campaign.cost().cpu_seconds;
   std::vector<double> seconds;
-  for (const Problem& problem : to_run) {
-    const double element_steps = work_of(problem) * steps / work;
-    estimate.element_steps += element_steps;
-    estimate.cpu_seconds += element_steps * campaign.cost().cpu_seconds / steps;
-    seconds.push_back(element_steps * wall / steps);
+  for (std::size_t place = 0; place < sample.points.size(); ++place) {
+    const std::size_t k = sample.nearest(place);
+    for (const Problem& problem : *sample.points[place]) {
+      const double size = work_of(problem) / work_of(coarser_problems[k]);
+      estimate.element_steps += size * measured[k].result.element_steps;
+      estimate.cpu_seconds += size * measured[k].cpu_seconds;
+      seconds.push_back(size * measured[k].wall_seconds);
+    }
   }
   estimate.longest_seconds = std::ranges::max(seconds);
-  estimate.wall_seconds = end_of_all(seconds, std::max(1, estimate.side_by_side));
+  estimate.wall_seconds = end_of_all(seconds, estimate.side_by_side);
   return estimate;
 }
 

@@ -11,7 +11,7 @@
 namespace percal {
 
 struct GroupChange {
-  int group = 0;                                   // its number
+  int group = 0;                                     // its number
   std::optional<double> System::*changed = nullptr;  // what is solved for
 };
 

@@ -38,11 +38,11 @@ enum class Design { grid, sobol };
 std::string word(Design design);
 
 struct Plan {
-  std::string file, text;           // the plan as it stands
-  std::string scene_file = "";      // that its scene is in; the plan itself where it has one
-  std::string scene_text = "";      // of that file
-  bool scene_is_inside = false;     // its scene is the plan's own table
-  std::string list_file = "";       // empty: none
+  std::string file, text;              // the plan as it stands
+  std::string scene_file = "";         // that its scene is in; the plan itself where it has one
+  std::string scene_text = "";         // of that file
+  bool scene_is_inside = false;        // its scene is the plan's own table
+  std::string list_file = "";          // empty: none
   std::optional<int> replicates = {};  // in place of the scene's
   Design design = Design::grid;
   std::vector<SweepAxis> axes = {};

@@ -73,7 +73,8 @@ double between(const SweptRange& range, double share) {
 
 void need_numbers_of_group(const SweepAxis& axis, const Place& place) {
   if (!axis.group || (axis.is_number && axis.unit.empty())) return;
-  throw BadInput(place, axis.is_number ? "numbers with a unit" : "words", "numbers, since " + axis.key + " has no dimension");
+  throw BadInput(place, axis.is_number ? "numbers with a unit" : "words",
+                 "numbers, since " + axis.key + " has no dimension");
 }
 
 // Numbers of one kind make an axis of numbers; anything else are words.
@@ -110,14 +111,16 @@ void check_range(SweptRange& range, const SweepAxis& axis, const TomlTable& bloc
   const char* const accepted = "a number, with its unit in quotes where it has one";
   if (!from) block.refuse("from", written(range.from), accepted);
   if (!to || !of_one_kind(*from, *to)) block.refuse("to", written(range.to), "a number of the kind of from");
-  if (axis.group && !from->unit.empty()) block.refuse("from", written(range.from), "a number, since a group has no dimension");
+  if (axis.group && !from->unit.empty())
+    block.refuse("from", written(range.from), "a number, since a group has no dimension");
   range.unit = from->unit;
   range.low = from->number;
   range.high = in_unit_of(*to, *from);
   range.is_whole = std::holds_alternative<std::int64_t>(range.from) && std::holds_alternative<std::int64_t>(range.to);
   if (range.low == range.high) block.refuse("to", written(range.to), "another number than from");
   if (range.is_logarithmic && !(range.low * range.high > 0))
-    block.refuse("spacing", "\"log\" from " + written(range.from) + " to " + written(range.to), "two numbers of one sign, none of them 0");
+    block.refuse("spacing", "\"log\" from " + written(range.from) + " to " + written(range.to),
+                 "two numbers of one sign, none of them 0");
 }
 
 std::vector<TomlScalar> spaced_values(const SweptRange& range, int count) {

@@ -15,7 +15,7 @@ inline constexpr std::size_t most_sobol_ranges = most_sobol_dimensions;
 struct PointBlock {
   std::vector<std::size_t> axes = {};
   std::vector<std::vector<SweptValue>> rows = {};  // a value for each of `axes`
-  std::vector<Place> places = {};             // of the rows of a list
+  std::vector<Place> places = {};                  // of the rows of a list
 };
 
 // From one value to another, both in the unit of the first.

@@ -18,7 +18,7 @@ const std::vector<std::string>& design_words() {
 }
 
 void read_base_scene(const TomlTable& root, Plan& plan) {
-  root.describe("scene", {"file or table", "the name of a scene's file, or the scene itself: [scene.particle], ...", ""});
+  root.describe("scene", {"file or table", "the name of a scene's file, or a table", ""});
   plan.scene_is_inside = root.is_table("scene");
   if (plan.scene_is_inside) {
     root.knows("scene");
@@ -48,9 +48,9 @@ SweepAxis axis_named(const std::string& key, const Place& place, const std::opti
   std::vector<std::string> known(root_keys.begin(), root_keys.end());
   for (const Group& one : groups()) known.insert(known.end(), {one.symbol, one.name});
   const auto meant = nearest_word(key, known);
-  throw BadInput(place, in_quotes(key) + (meant && group_named(*meant) ? " (did you mean " + *meant + "?)" : ""),
-                 "a key of the scene such as particle.speed (percal keys scene), or a group: " +
-                     listed(groups_in_words()));
+  throw BadInput(
+      place, in_quotes(key) + (meant && group_named(*meant) ? " (did you mean " + *meant + "?)" : ""),
+      "a key of the scene such as particle.speed (percal keys scene), or a group: " + listed(groups_in_words()));
 }
 
 // What a plan changes is changed by one axis.
@@ -66,8 +66,8 @@ void add_axis(Plan& plan, const SweepAxis& axis) {
 }
 
 SweptRange range_of(const TomlTable& block, const SweepAxis& axis) {
-  block.describe("from", {"quantity", "the first value: a number, with its unit in quotes where it has one", ""});
-  block.describe("to", {"quantity", "the last value, of the same kind", ""});
+  block.describe("from", {"quantity", "a number, with its unit in quotes where it has one", ""});
+  block.describe("to", {"quantity", "as from", ""});
   SweptRange range{.from = block.scalar("from"), .to = block.scalar("to")};
   range.is_logarithmic = block.word("spacing", {"linear", "log"}, 0) == 1;
   check_range(range, axis, block);
@@ -95,7 +95,8 @@ void read_sweep(const TomlTable& block, Plan& plan, std::vector<PointBlock>& blo
     if (block.has("count")) block.refuse("count", "this in a Sobol design", "count of the plan, for all ranges");
     ranges.push_back(range);
   } else {
-    blocks.push_back(block_of(spaced_values(range, block.integer("count", 2, most_points)), axis, index, block.place("from")));
+    blocks.push_back(
+        block_of(spaced_values(range, block.integer("count", 2, most_points)), axis, index, block.place("from")));
   }
   block.knows("count");
   add_axis(plan, axis);
@@ -133,7 +134,9 @@ Plan plan_from(const TomlTable& root, const std::string& text, const std::string
     if (ranges.size() > most_sobol_ranges)
       root.refuse("design", fmt::format("\"sobol\" over {} ranges", ranges.size()),
                   fmt::format("up to {}", most_sobol_ranges));
-    if (!count) root.refuse("count", "no such key", "the number of points of a Sobol design");
+    if (!count)
+      throw BadInput({file, root.place("design").line, "count"}, "no such key",
+                     "the number of points of a Sobol design");
     blocks.push_back(sobol_block(ranges, *count));
   }
   plan.points = all_points(blocks, plan.axes.size(), root.place("sweep"));

@@ -35,8 +35,7 @@ std::vector<WantedGroup> wanted_groups(const Plan& plan, const PlanPoint& point)
   std::vector<WantedGroup> wanted;
   for (std::size_t k = 0; k < plan.axes.size(); ++k)
     if (plan.axes[k].group) wanted.push_back({*plan.axes[k].group, point.values[k].number});
-  std::ranges::stable_sort(wanted,
-                           [](const auto& a, const auto& b) { return goes_before(a.change, b.change); });
+  std::ranges::stable_sort(wanted, [](const auto& a, const auto& b) { return goes_before(a.change, b.change); });
   return wanted;
 }
 

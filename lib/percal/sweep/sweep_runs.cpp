@@ -15,14 +15,17 @@ std::vector<std::vector<Problem>> problems_of(const std::vector<SweepPoint>& poi
   return problems;
 }
 
-std::vector<Problem> problems_to_run(const std::vector<std::vector<Problem>>& of_points, const Store* store) {
+std::vector<std::vector<Problem>> problems_to_run(const std::vector<std::vector<Problem>>& of_points,
+                                                  const Store* store) {
   std::set<std::string> seen;
-  std::vector<Problem> missing;
-  for (const auto& replicates : of_points)
+  std::vector<std::vector<Problem>> missing;
+  for (const auto& replicates : of_points) {
+    missing.emplace_back();
     for (const Problem& problem : replicates) {
       const std::string key = evaluation_key(problem, instruction_level());
-      if (seen.insert(key).second && !(store && store->find(key))) missing.push_back(problem);
+      if (seen.insert(key).second && !(store && store->find(key))) missing.back().push_back(problem);
     }
+  }
   return missing;
 }
 
@@ -30,7 +33,8 @@ std::vector<std::vector<Evaluation>> run_points(const std::vector<SweepPoint>& p
                                                 const Store* store, Progress& progress) {
   const auto of_points = problems_of(points);
   double work = 0;
-  for (const Problem& problem : problems_to_run(of_points, store)) work += work_of(problem);
+  for (const auto& problems : problems_to_run(of_points, store))
+    for (const Problem& problem : problems) work += work_of(problem);
   progress.weigh(work);
   std::vector<Problem> all;
   for (const auto& replicates : of_points) all.insert(all.end(), replicates.begin(), replicates.end());

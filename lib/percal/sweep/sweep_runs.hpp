@@ -12,8 +12,9 @@ namespace percal {
 // Of each point, the problems of its replicates.
 std::vector<std::vector<Problem>> problems_of(const std::vector<SweepPoint>& points);
 
-// The distinct ones that a store (which may be null) does not have.
-std::vector<Problem> problems_to_run(const std::vector<std::vector<Problem>>& of_points, const Store* store);
+// Of these the distinct ones that a store (which may be null) does not have.
+std::vector<std::vector<Problem>> problems_to_run(const std::vector<std::vector<Problem>>& of_points,
+                                                  const Store* store);
 
 // Runs of each point, in the order of its replicates. `progress` is told of every run, and says the time left by their work.
 std::vector<std::vector<Evaluation>> run_points(const std::vector<SweepPoint>& points, Campaign& campaign,

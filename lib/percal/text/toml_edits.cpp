@@ -15,7 +15,8 @@ struct Step {
 };
 
 bool is_key(const std::string& text) {
-  return !text.empty() && std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+  return !text.empty() &&
+         std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
 }
 
 Step step_of(const std::string& part, const Place& place) {
@@ -76,7 +77,8 @@ std::optional<TomlScalar> as_scalar(const toml::node& at) {
   return std::nullopt;
 }
 
-constexpr const char* accepted_scalar = "a quantity in quotes, a number, a word in quotes, true or false";
+constexpr const char* accepted_scalar =
+    "a number, with its unit in quotes where it has one, a word in quotes, true or false";
 
 }  // namespace
 

@@ -16,8 +16,10 @@ using page::ResultColumn;
 
 // The error's sources with their columns: half widths of 95 %.
 constexpr std::pair<DepthErrorSource, const char*> error_columns[] = {
-    {DepthErrorSource::mesh_phase, "error_mesh_phase_m"}, {DepthErrorSource::mesh_size, "error_mesh_size_m"},
-    {DepthErrorSource::wall, "error_wall_m"},             {DepthErrorSource::time_step, "error_time_step_m"},
+    {DepthErrorSource::mesh_phase, "error_mesh_phase_m"},
+    {DepthErrorSource::mesh_size, "error_mesh_size_m"},
+    {DepthErrorSource::wall, "error_wall_m"},
+    {DepthErrorSource::time_step, "error_time_step_m"},
     {DepthErrorSource::bulk, "error_bulk_m"}};
 
 void add_error(Json& row, const ImpactFindings& f) {
@@ -70,8 +72,8 @@ std::vector<ResultColumn> outcome_columns() {
   for (const char* key : {outcome_key::outcome, "runs", outcome_key::depth, "depth_spread_m", outcome_key::depth_error})
     columns.push_back({key, key});
   for (const auto& [source, column] : error_columns) columns.push_back({column, column});
-  for (const char* key : {outcome_key::at_least, "ending", "final_depth_m", outcome_key::speed_left,
-                          outcome_key::cpu_seconds, "reused"})
+  for (const char* key :
+       {outcome_key::at_least, "ending", "final_depth_m", outcome_key::speed_left, outcome_key::cpu_seconds, "reused"})
     columns.push_back({key, key});
   columns.push_back({outcome_key::notes, outcome_key::notes, ResultColumn::free_text});
   return columns;

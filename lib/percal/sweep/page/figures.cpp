@@ -84,7 +84,7 @@ ShownUnit unit_of_depths(const Json& result) {
 void add_depth(Series& drawn, Series& line, Series& passed, const Json& point, double x, double unit) {
   const double depth = number_or(point, outcome_key::depth, NAN), error = number_or(point, outcome_key::depth_error, 0);
   if (std::isfinite(depth)) {
-    add_bar(drawn, x, depth / unit, (depth - error) / unit, (depth + error) / unit);
+    add_bar(drawn, x, depth / unit, std::max(0.0, depth - error) / unit, (depth + error) / unit);
     add_point(line, x, depth / unit);
   } else if (const auto at_least = number(point, outcome_key::at_least)) {
     add_point(passed, x, *at_least / unit);
@@ -113,7 +113,8 @@ Figure depth_over(const Shown& shown, const Swept& x, const Swept* lines, const 
   Series passed = series("passed through: deeper than", Mark::points, -1);
   for (auto& [name, points] : by_value(shown.points, lines)) {
     std::ranges::stable_sort(points, {}, [&](const Json* point) { return value_number(*point, x); });
-    Series drawn = series(name.empty() ? "depth" : name, Mark::points_with_bars, colour), line = series("", Mark::line, colour);
+    Series drawn = series(name.empty() ? "depth" : name, Mark::points_with_bars, colour),
+           line = series("", Mark::line, colour);
     for (const Json* point : points) add_depth(drawn, line, passed, *point, value_number(*point, x), unit.size);
     for (const Series& one : {line, drawn}) add(figure.chart, one);
     ++colour;
@@ -151,15 +152,16 @@ Figure depth_map(const Shown& shown, const Swept& x, const Swept& y, const Shown
   const DepthClasses classes = classes_of(shown.points);
   std::vector<Series> by_class;
   for (int k = 0; k < depth_classes; ++k)
-    by_class.push_back(series(fmt::format("{:.3g} to {:.3g} {}", classes.edge(k) / unit.size,
-                                          classes.edge(k + 1) / unit.size, unit.name),
-                              Mark::points, k));
+    by_class.push_back(series(
+        fmt::format("{:.3g} to {:.3g} {}", classes.edge(k) / unit.size, classes.edge(k + 1) / unit.size, unit.name),
+        Mark::points, k));
   std::map<std::string, Series> others;
   for (const Json* point : shown.points) {
     const auto depth = number(*point, outcome_key::depth);
     const std::string outcome = text(*point, outcome_key::outcome);
     if (!depth && !others.contains(outcome))
-      others[outcome] = series(outcome, Mark::points, others.empty() ? -1 : depth_classes + static_cast<int>(others.size()));
+      others[outcome] =
+          series(outcome, Mark::points, others.empty() ? -1 : depth_classes + static_cast<int>(others.size()));
     Series& drawn = depth ? by_class[static_cast<std::size_t>(classes.of(*depth))] : others[outcome];
     add_point(drawn, value_number(*point, x), value_number(*point, y));
   }
@@ -208,8 +210,8 @@ Section sweep_figures(const Json& result) {
   if (axes.empty() || !axes.front().is_number) return section;
   const ShownUnit unit = unit_of_depths(result);
   const bool is_map = axes.size() > 1 && axes[1].is_number && !(makes_lines && axes[1].words.size() <= most_lines);
-  const auto all = shown_by(result, makes_lines && axes.size() > 2 ? std::vector<Swept>(axes.begin() + 2, axes.end())
-                                                                   : std::vector<Swept>{});
+  const auto all = shown_by(
+      result, makes_lines && axes.size() > 2 ? std::vector<Swept>(axes.begin() + 2, axes.end()) : std::vector<Swept>{});
   std::size_t drawn = 0;
   for (const Shown& shown : all) {
     if (!is_map && !has_a_number_to_show(shown)) continue;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "percal/observe/page/outcome_row.hpp"
@@ -16,7 +17,7 @@ using namespace page;
 
 namespace {
 
-constexpr std::size_t rows_unfolded = 24;
+constexpr std::size_t rows_unfolded = 24, rows_in_an_answer = 12;
 
 std::string axis_title(const Json& axis) {
   const std::string unit = text(axis, "unit");
@@ -31,25 +32,28 @@ std::string outcomes_in_words(const Json& result) {
   return words;
 }
 
-struct DepthRange {
+// Of the points that have this number.
+struct NumberRange {
   double low = HUGE_VAL, high = -HUGE_VAL;
   bool is_there() const { return low <= high; }
 };
 
-DepthRange depths_of(const Json& result) {
-  DepthRange range;
-  for (const Json& point : list(result, "points"))
-    if (const auto depth = number(point, outcome_key::depth))
-      range = {std::min(range.low, *depth), std::max(range.high, *depth)};
+NumberRange range_over(const std::vector<Json>& points, const char* key) {
+  NumberRange range;
+  for (const Json& point : points)
+    if (const auto value = number(point, key)) range = {std::min(range.low, *value), std::max(range.high, *value)};
   return range;
+}
+
+std::string range_words(const NumberRange& range, const Dimension& dimension) {
+  return range.is_there() ? quantity(range.low, dimension) + " to " + quantity(range.high, dimension) : absent;
 }
 
 std::string sweep_summary(const Json& result) {
   std::string words = fmt::format("{}: {}.", counted(static_cast<long>(list(result, "points").size()), "point"),
                                   outcomes_in_words(result));
-  if (const DepthRange depths = depths_of(result); depths.is_there())
-    words += fmt::format(" Depths from {} to {}.", length(depths.low), length(depths.high));
-  return words;
+  const NumberRange depths = range_over(list(result, "points"), outcome_key::depth);
+  return depths.is_there() ? words + " Depths from " + range_words(depths, dimension::length) + "." : words;
 }
 
 std::string changed_in_words(const Json& axis) {
@@ -79,8 +83,26 @@ Section swept_section(const Json& result) {
   return section;
 }
 
+// How the points ended, and between what.
+Section outcomes_section(const Json& result) {
+  Section section{.id = "outcomes", .title = "How the points ended", .blocks = {}, .detail = Detail::answer};
+  Table table{.caption = "", .rows = {{"outcome", "points", "depth", "speed left"}}, .notes = {}};
+  for (const auto& [outcome, count] : at(result, "outcomes").items()) {
+    std::vector<Json> points;
+    for (const Json& point : list(result, "points"))
+      if (text(point, outcome_key::outcome) == outcome) points.push_back(point);
+    table.rows.push_back({outcome, shown(number(count), 9),
+                          range_words(range_over(points, outcome_key::depth), dimension::length),
+                          range_words(range_over(points, outcome_key::speed_left), dimension::speed)});
+  }
+  add(section, table);
+  return section;
+}
+
 Section points_section(const Json& result) {
-  Section section{.id = "points", .title = "The points", .blocks = {}, .detail = Detail::answer};
+  const bool is_short = list(result, "points").size() <= rows_in_an_answer;
+  Section section{
+      .id = "points", .title = "The points", .blocks = {}, .detail = is_short ? Detail::answer : Detail::more};
   Table table{.caption = "", .rows = {{"point"}}, .notes = {}};
   for (const Json& axis : list(result, "axes")) table.rows.front().push_back(axis_title(axis));
   for (const char* column : {"outcome", "depth", "95 %", "speed left", "CPU, s"})
@@ -134,7 +156,7 @@ Page sweep_page(const Json& result) {
   Page page;
   page.title = "Campaign: " + std::filesystem::path(text(at(result, "input"), "job")).stem().string();
   page.summary = sweep_summary(result);
-  for (auto section : {points_section, sweep_figures, findings_section, notes_section, swept_section,
+  for (auto section : {outcomes_section, points_section, sweep_figures, findings_section, notes_section, swept_section,
                        provenance_section, input_section, scene_section})
     add(page, section(result));
   return page;

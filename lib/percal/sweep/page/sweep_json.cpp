@@ -47,8 +47,9 @@ std::vector<std::string> warnings_of(const std::vector<SweepPoint>& points) {
     for (const std::string& warning : point.reduction.warnings) ++counts[warning];
   std::vector<std::string> sentences;
   for (const auto& [warning, count] : counts)
-    sentences.push_back(count == static_cast<long>(points.size()) ? warning
-                                                                  : fmt::format("{} ({})", warning, page::counted(count, "point")));
+    sentences.push_back(count == static_cast<long>(points.size())
+                            ? warning
+                            : fmt::format("{} ({})", warning, page::counted(count, "point")));
   return sentences;
 }
 
@@ -83,7 +84,8 @@ std::string sweep_to_csv(const Json& result) {
   const Json& axes = page::list(result, "axes");
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const std::string unit = page::text(axes[k], "unit"), cell = "value" + std::to_string(k);
-    columns.push_back({page::text(axes[k], "key") + (unit.empty() ? "" : " [" + unit + "]"), cell, ResultColumn::free_text});
+    columns.push_back(
+        {page::text(axes[k], "key") + (unit.empty() ? "" : " [" + unit + "]"), cell, ResultColumn::free_text});
     for (Json& row : rows) row[cell] = page::list(row, "values")[k];
   }
   for (ResultColumn& column : outcome_columns()) columns.push_back(std::move(column));
