@@ -21,7 +21,7 @@ class CommandLine : public Program {};
 TEST_F(CommandLine, TheHelpOfEveryCommandHasAnExample) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const std::string command : {"fit", "scale", "impact", "identify", "calibrate", "predict", "invert", "card"}) {
+  for (const std::string command : {"fit", "scale", "impact", "campaign", "identify", "calibrate", "predict", "invert", "card"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Ended ended = command == "card" ? run({command, "write", "--help"}) : run({command, "--help"});
     EXPECT_EQ(ended.code, 0);
@@ -41,9 +41,11 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
       {{"identfy", job},
-       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, identify, calibrate, "
-       "predict, "
+       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, campaign, identify, "
+       "calibrate, predict, "
        "invert, card"},
+      {{"campaign"}, "plan"},
+      {{"campaign", test::guha2009 + "gold_sweep.toml", "--estimates"}, "--estimates"},
       {{"identify"}, "job"},
       {{"identify", job, job}, "skin.toml"},
       {{"impact", scene, "--threads", "-1"}, "--threads"},
@@ -74,12 +76,14 @@ TEST_F(CommandLine, ADocumentOfAnotherCommandIsCalledWhatItIs) {
       {test::guha2009 + "gold.toml", "found a scene, for percal impact"},
       {test::guha2009 + "similar.toml", "found a job of percal scale"},
       {test::guha2009 + "skin.toml", "found a job of percal identify"},
-      {PERCAL_DATA "/synthetic/joint.toml", "found a job of percal calibrate"}};
+      {PERCAL_DATA "/synthetic/joint.toml", "found a job of percal calibrate"},
+      {test::guha2009 + "gold_sweep.toml", "found a plan of percal campaign"}};
   const std::vector<std::pair<std::string, std::string>> commands{{"impact", "a scene"},
                                                                   {"study --omissions", "a scene"},
                                                                   {"scale", "percal scale"},
                                                                   {"identify", "identify"},
                                                                   {"calibrate", "percal calibrate"},
+                                                                  {"campaign", "percal campaign"},
                                                                   {"fit", "CSV files"},
                                                                   {"report", "the result.json"},
                                                                   {"card check", "a card of a solver"},

@@ -69,6 +69,12 @@ TEST_F(HowTo, MyOwnCsv) {
 
 TEST_F(HowTo, MyOwnParticle) { follow("own_particle.md"); }
 
+TEST_F(HowTo, ManyImpacts) {
+  follow("sweeps.md");
+  EXPECT_TRUE(fs::exists(path("speeds.out/depths1.svg")));
+  EXPECT_EQ(result("groups.out/result.json")["points"].size(), 20U);
+}
+
 TEST_F(HowTo, ACardForMySolver) {
   follow("solver_card.md");
   EXPECT_TRUE(fs::exists(path("silicone.inp")));

@@ -2,6 +2,7 @@
 // it throws, and what a sanitizer finds, is a finding.                                             docs/testing.md
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,20 +23,22 @@
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/store/store.hpp"
+#include "percal/sweep/scene_at.hpp"
 #include "percal/text/csv.hpp"
 #include "percal/units/quantity.hpp"
 
 namespace percal {
 namespace {
 
-// A folder of its own, with the tables that the jobs of data/ name, in which the input is a file.
+// A folder of its own, with the tables and the scene that the jobs of data/ name, in which the input is a file.
 const std::string& folder() {
   static const std::string& place = *new std::string([] {  // outlives what atexit does
     std::string name = std::filesystem::temp_directory_path() / "percal_fuzz_XXXXXX";
     if (!mkdtemp(name.data())) std::abort();
     for (const char* tables : {"guha2009", "synthetic"})
       for (const auto& entry : std::filesystem::directory_iterator(std::string(PERCAL_DATA "/") + tables))
-        if (entry.path().extension() == ".csv") std::filesystem::copy(entry, name);
+        if (entry.path().extension() == ".csv" || entry.path().filename() == "gold.toml")
+          std::filesystem::copy(entry, name);
     std::atexit([] { std::filesystem::remove_all(folder()); });
     return name;
   }());
@@ -65,6 +68,12 @@ void open_store(const std::string& input) {
   store.with_prefix("");
 }
 
+// The first points alone: a plan may have a hundred thousand.
+void read_plan_and_scenes(const std::string& input) {
+  const Plan plan = read_plan(as_file(input, "plan.toml"));
+  for (std::size_t k = 0; k < std::min<std::size_t>(plan.points.size(), 4); ++k) scene_at(plan, k);
+}
+
 void read_quantity(const std::string& input) {
   try {
     parse_quantity(input);
@@ -78,6 +87,7 @@ const std::map<std::string, Reader> readers{
     {"scale", [](const std::string& input) { read_scale_job(as_file(input, "scale.toml")); }},
     {"identify", [](const std::string& input) { read_identify_job(as_file(input, "identify.toml")); }},
     {"calibrate", [](const std::string& input) { read_calibration_job(as_file(input, "calibrate.toml")); }},
+    {"campaign", read_plan_and_scenes},
     {"csv", [](const std::string& input) { read_csv(as_file(input, "table.csv")); }},
     {"curves", [](const std::string& input) { read_curves({as_file(input, "curve.csv")}, {.mode = "uniaxial"}); }},
     {"quantity", read_quantity},

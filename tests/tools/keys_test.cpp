@@ -14,7 +14,7 @@ using nlohmann::json;
 using test::Ended;
 using testing::HasSubstr;
 
-const std::vector<std::string> kinds{"scene", "scale", "identify", "calibrate"};
+const std::vector<std::string> kinds{"scene", "scale", "identify", "calibrate", "campaign"};
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
