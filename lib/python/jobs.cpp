@@ -1,4 +1,4 @@
-// The jobs: scale, calibrate, identify. A job in, its result.json out.
+// The jobs: scale, calibrate, identify, campaign. A job in, its result.json out.
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
@@ -13,6 +13,8 @@
 #include "percal/identify/page/identification_json.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/scaling/page/page.hpp"
+#include "percal/sweep/page/page.hpp"
+#include "percal/sweep/sweep_runs.hpp"
 
 namespace percal::python {
 namespace {
@@ -71,6 +73,25 @@ std::string identified(const std::string& path, const std::string& store_path, i
   return result;
 }
 
+// A plan's points, run; without the words of percal campaign and the files that it writes.
+std::string swept(const std::string& path, const std::string& store_path, int threads) {
+  const auto start = std::chrono::steady_clock::now();
+  std::string result;
+  interruptible([&](const std::atomic<bool>& stop) {
+    const Plan plan = read_plan(path);
+    const auto points = points_to_run(plan);
+    Store store(store_path);
+    Campaign campaign(&store, threads);
+    campaign.stop_when([&] { return stop.load(); });
+    Progress silent;
+    SweepFindings found{.plan = plan, .points = points};
+    found.runs = run_points(points, campaign, &store, silent);
+    found.cost = cost_since(start, campaign);
+    result = text_of(sweep_to_json(found));
+  });
+  return result;
+}
+
 }  // namespace
 
 std::string text_of(const json& result) { return result.dump(-1, ' ', false, json::error_handler_t::replace); }
@@ -85,6 +106,7 @@ void bind_jobs(py::module_& core) {
   });
   core.def("calibrate", &calibrated);
   core.def("identify", &identified);
+  core.def("campaign", &swept);
 }
 
 }  // namespace percal::python

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <string>
 #include <thread>
 
 #include "percal/campaign/campaign.hpp"
@@ -84,6 +85,39 @@ TEST_F(SharedStore, TheLongestRunGoesFirst) {
   campaign.stop_when([&] { return mine.size() > 0; });
   EXPECT_THROW(campaign.evaluate({shared_problem(20), shared_problem(40), shared_problem(30)}, nullptr), Interrupted);
   EXPECT_TRUE(mine.find(key_of(shared_problem(40))));
+}
+
+class SlowSharedStore : public SharedStore {};
+
+// By the share of their time that threads are in runs, which no other load of the machine changes.
+TEST_F(SlowSharedStore, TwoThreadsAreBusyWithAHundredEqualRuns) {
+  std::vector<Problem> problems;
+  for (int k = 0; k < 100; ++k) {
+    problems.push_back(shared_problem(40));
+    problems.back().alpha += 1e-6 * k;
+    problems.back().elements_per_radius = 14;
+    problems.back().end_time = 12;
+  }
+  Campaign campaign(&mine, 2);
+  const auto start = std::chrono::steady_clock::now();
+  double busy = 0;
+  for (const Evaluation& run : campaign.evaluate(problems, nullptr)) busy += run.wall_seconds;
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  RecordProperty("efficiency", std::to_string(busy / (2 * wall)));
+  EXPECT_GT(busy / (2 * wall), 0.95) << wall << " s, a run " << busy / 100 << " s";
+}
+
+// What a claim costs beside a run of milliseconds.
+TEST_F(SharedStore, AClaimIsCheap) {
+  constexpr int many = 2000;
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 0; k < many; ++k) {
+    const auto claim = mine.claim(std::to_string(k));
+    ASSERT_TRUE(claim);
+  }
+  const double each = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / many;
+  RecordProperty("claim_us", std::to_string(1e6 * each));
+  EXPECT_LT(each, 1e-3) << "some microseconds";
 }
 
 TEST(MemoryOfACampaign, HoldsNoMoreRunsThanFit) {

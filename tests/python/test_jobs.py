@@ -10,6 +10,7 @@ import numpy as np
 import percal
 
 JOB = os.path.join(os.environ["PERCAL_DATA"], "synthetic", "joint_small.toml")
+SCENE = os.path.join(os.environ["PERCAL_DATA"], "guha2009", "gold.toml")
 
 
 class ACalibration(unittest.TestCase):
@@ -92,6 +93,25 @@ class ACalibration(unittest.TestCase):
             percal.calibrate(JOB, budget="5 m", store=self.store)
         with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
             percal.identify("nowhere.toml", store=self.store)
+
+
+class ACampaign(unittest.TestCase):
+    def test_has_a_row_for_each_point(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plan, store = os.path.join(folder, "plan.toml"), os.path.join(folder, "store")
+            sweeps = [("particle.speed", '["300 m/s", "500 m/s"]'), ("target.bottom", '["free"]'), ("mesh.elements_per_radius", "[4]")]
+            with open(plan, "w", encoding="utf-8") as file:
+                file.write(f'scene = "{os.path.abspath(SCENE)}"\nreplicates = 2\n')
+                for key, values in sweeps:
+                    file.write(f'[[sweep]]\nkey = "{key}"\nvalues = {values}\n')
+            found = percal.campaign(plan, store=store, threads=1)
+            self.assertEqual(list(found.values["particle.speed [m/s]"]), [300, 500])
+            self.assertEqual(found.values["target.bottom"], ["free", "free"])
+            self.assertEqual(found.outcomes, ["stopped", "stopped"])
+            self.assertTrue(found.depth[0] < found.depth[1])
+            self.assertEqual(percal.campaign(plan, store=store).cost["runs"], 0)
+        with self.assertRaisesRegex(FileNotFoundError, "nowhere.toml"):
+            percal.campaign("nowhere.toml")
 
 
 if __name__ == "__main__":

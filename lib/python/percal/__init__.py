@@ -17,7 +17,7 @@ from ._core import __version__, default_store_path, instruction_level
 from ._fit import Fit, Interval, Minimum, fit, fit_csv, nominal_stress
 from ._impact import Impact, Scene, impact
 from ._shots import Inversion, Prediction, invert, predict
-from ._jobs import Calibration, Identification, Hypothesis, Ridge, Scaling, calibrate, identify, scale
+from ._jobs import Calibration, Identification, Hypothesis, Ridge, Scaling, Sweep, calibrate, campaign, identify, scale
 
 __all__ = [
     "Calibration",
@@ -33,8 +33,10 @@ __all__ = [
     "Ridge",
     "Scaling",
     "Scene",
+    "Sweep",
     "__version__",
     "calibrate",
+    "campaign",
     "card_curve",
     "card_of",
     "default_store_path",

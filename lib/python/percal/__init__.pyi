@@ -246,6 +246,16 @@ def identify(
     job: _Path, store: _Path | None = None, threads: int = 0, announce: Callable[[str], Any] | None = None
 ) -> Identification: ...
 
+class Sweep(_Result):
+    values: dict[str, Any]
+    outcomes: list[str]
+    depth: _Array
+    depth_error: _Array
+    speed_left: _Array
+    def __init__(self, result: dict[str, Any]) -> None: ...
+
+def campaign(plan: _Path, store: _Path | None = None, threads: int = 0) -> Sweep: ...
+
 class CardMaterial:
     name: str
     density: float | None

@@ -194,3 +194,33 @@ def identify(job, store=None, threads=0, announce=None):
     """The chain from gelatin to tissue of a job's file; arguments as calibrate(). announce hears the name of each finished step."""
     path = _core.default_store_path() if store is None else os.fspath(store)
     return Identification(json.loads(_core.identify(os.fspath(job), path, threads, announce)))
+
+
+class Sweep(_Result):
+    """The points of a plan: the keys of percal campaign's result.json, and columns of it, a row a point.
+
+    values: {"particle.speed [m/s]": array, or list of words}; outcomes: words; depth, depth_error (m), speed_left (m/s): arrays,
+    NaN where there is none.
+    """
+
+    def __init__(self, result):
+        super().__init__(result)
+        points = result["points"]
+        self.values = {}
+        for k, axis in enumerate(result["axes"]):
+            column = [point["values"][k] for point in points]
+            name = axis["key"] + (f" [{axis['unit']}]" if axis["unit"] else "")
+            self.values[name] = np.array(column, dtype=float) if axis["is_number"] else column
+        self.outcomes = [point["outcome"] for point in points]
+        self.depth, self.depth_error = _array(points, "depth_m"), _array(points, "depth_error_m")
+        self.speed_left = _array(points, "speed_left_m_s")
+
+    def __repr__(self):
+        counts = ", ".join(f"{count} {outcome}" for outcome, count in self["outcomes"].items())
+        return f"Sweep({', '.join(self.values)}: {counts})"
+
+
+def campaign(plan, store=None, threads=0):
+    """The points of a plan's file, run; arguments as calibrate()."""
+    path = _core.default_store_path() if store is None else os.fspath(store)
+    return Sweep(json.loads(_core.campaign(os.fspath(plan), path, threads)))
