@@ -95,7 +95,7 @@ TEST_F(SlowSharedStore, TwoThreadsAreBusyWithAHundredEqualRuns) {
   for (int k = 0; k < 100; ++k) {
     problems.push_back(shared_problem(40));
     problems.back().alpha += 1e-6 * k;
-    problems.back().elements_per_radius = 14;
+    problems.back().elements_per_radius = 18;
     problems.back().end_time = 12;
   }
   Campaign campaign(&mine, 2);

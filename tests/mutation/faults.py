@@ -68,4 +68,8 @@ FAULTS = [
           "rate.implied = {rate.given * std::exp(joined.at[factor])", "rate.implied = {rate.given * std::exp(-joined.at[factor])", ("calibrate",)),
     Fault("a search sees one phase of the mesh", "lib/percal/one_depth/one_depth.cpp",
           "phases[answer++ % usual_replicates]", "phases[0 * answer++]", ("one_depth",)),
+    Fault("a swept group forgets how the scene means its modulus", "lib/percal/sweep/group_change.cpp",
+          "return modulus_as_given(number, *system.system.alpha, system.convention);", "return number;", ("sweep",)),
+    Fault("a claim is never refused", "lib/percal/store/claims.cpp",
+          "return !is_held_by_another();", "return true;", ("store", "campaign")),
 ]
