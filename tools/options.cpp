@@ -206,8 +206,8 @@ void add_campaign(CLI::App& app, CampaignArguments& campaign, Common& common, st
                     "say how many runs it takes, how long and how much memory, from some short runs; do no others");
   command->footer(
       "Killed and started again it goes on where it was; started twice, both processes share the runs.\n"
-      "Examples: percal new campaign -o plan.toml && percal campaign plan.toml --estimate\n"
-      "          percal campaign plan.toml");
+      "Examples: percal campaign data/guha2009/gold_sweep.toml --estimate\n"
+      "          percal campaign data/guha2009/gold_sweep.toml");
   add_common(*command, common, true);
   commands.push_back({command, [&] { return run_campaign(campaign, common); }, true});
 }

@@ -11,7 +11,7 @@
 
 namespace percal {
 
-inline constexpr int most_points = 100'000;  // of a plan
+inline constexpr int most_plan_points = 100'000;  // of a plan
 
 // One thing that is changed.
 struct SweepAxis {

@@ -177,8 +177,8 @@ void read_column(const CsvTable& table, int column, SweepAxis& axis, PointBlock&
 std::vector<PlanPoint> all_points(const std::vector<PointBlock>& blocks, std::size_t axes, const Place& place) {
   double count = 1;
   for (const PointBlock& block : blocks) count *= static_cast<double>(block.rows.size());
-  if (count > most_points)
-    throw BadInput(place, fmt::format("{:.6g} points", count), fmt::format("up to {} points", most_points));
+  if (count > most_plan_points)
+    throw BadInput(place, fmt::format("{:.6g} points", count), fmt::format("up to {} points", most_plan_points));
   std::vector<PlanPoint> points{{.values = std::vector<SweptValue>(axes)}};
   for (const PointBlock& block : blocks) {
     std::vector<PlanPoint> longer;

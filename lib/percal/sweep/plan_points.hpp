@@ -45,7 +45,7 @@ PointBlock sobol_block(const std::vector<SweptRange>& ranges, int count);
 PointBlock rows_of(const CsvTable& table);
 void read_column(const CsvTable& table, int column, SweepAxis& axis, PointBlock& block);
 
-// All combinations, the last block's rows fastest. Throws BadInput at `place` for more than most_points.
+// All combinations, the last block's rows fastest. Throws BadInput at `place` for more than most_plan_points.
 std::vector<PlanPoint> all_points(const std::vector<PointBlock>& blocks, std::size_t axes, const Place& place);
 
 }  // namespace percal

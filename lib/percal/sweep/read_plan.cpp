@@ -96,7 +96,7 @@ void read_sweep(const TomlTable& block, Plan& plan, std::vector<PointBlock>& blo
     ranges.push_back(range);
   } else {
     blocks.push_back(
-        block_of(spaced_values(range, block.integer("count", 2, most_points)), axis, index, block.place("from")));
+        block_of(spaced_values(range, block.integer("count", 2, most_plan_points)), axis, index, block.place("from")));
   }
   block.knows("count");
   add_axis(plan, axis);
@@ -121,7 +121,7 @@ Plan plan_from(const TomlTable& root, const std::string& text, const std::string
   plan.replicates = root.optional_integer("replicates", 1, 1000);
   plan.design = static_cast<Design>(root.word("design", design_words(), 0));
   plan.list_file = root.optional_path("list").value_or("");
-  const auto count = root.optional_integer("count", 1, most_points);
+  const auto count = root.optional_integer("count", 1, most_plan_points);
   if (count && plan.design != Design::sobol) root.refuse("count", "this in a grid", "count of each [[sweep]]");
   std::vector<PointBlock> blocks;
   std::vector<SweptRange> ranges;

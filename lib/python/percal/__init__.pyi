@@ -252,6 +252,7 @@ class Sweep(_Result):
     depth: _Array
     depth_error: _Array
     speed_left: _Array
+    cost: dict[str, Any]
     def __init__(self, result: dict[str, Any]) -> None: ...
 
 def campaign(plan: _Path, store: _Path | None = None, threads: int = 0) -> Sweep: ...

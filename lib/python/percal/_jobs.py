@@ -214,6 +214,7 @@ class Sweep(_Result):
         self.outcomes = [point["outcome"] for point in points]
         self.depth, self.depth_error = _array(points, "depth_m"), _array(points, "depth_error_m")
         self.speed_left = _array(points, "speed_left_m_s")
+        self.cost = result["cost"]
 
     def __repr__(self):
         counts = ", ".join(f"{count} {outcome}" for outcome, count in self["outcomes"].items())
