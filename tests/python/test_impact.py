@@ -130,17 +130,23 @@ class AnImpact(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             store = os.path.join(folder, "percal.store")
 
+            def finished_runs():
+                if not os.path.exists(store):
+                    return 0
+                with contextlib.closing(sqlite3.connect(store)) as kept:
+                    with contextlib.suppress(sqlite3.OperationalError):  # it is being made
+                        return kept.execute("select count(*) from evaluations").fetchone()[0]
+                return 0
+
             def interrupt_after_the_first_run():
-                while not os.path.exists(store):
+                while not finished_runs():
                     time.sleep(0.01)
-                time.sleep(0.2)
                 os.kill(os.getpid(), signal.SIGINT)
 
             threading.Thread(target=interrupt_after_the_first_run, daemon=True).start()
             with self.assertRaises(KeyboardInterrupt):
                 percal.impact(GOLD, 6, replicates=1000, threads=1, store=store, history=False)
-            with contextlib.closing(sqlite3.connect(store)) as kept:
-                finished = kept.execute("select count(*) from evaluations").fetchone()[0]
+            finished = finished_runs()
         self.assertTrue(1 <= finished < 1000, finished)
 
     def test_ends_by_ctrl_c_within_a_run(self):
