@@ -42,8 +42,9 @@ CLI::Validator between(double low, double high);
 
 // --out, --json, --check, --quiet, and for commands that run impacts --store and --threads.
 void add_common(CLI::App& command, Common& common, bool runs_impacts,
-                const std::string& out = "folder for results (default: NAME.out in the working folder, NAME that of "
-                                         "the input; none: no files)");
+                const std::string& out =
+                    "folder for results (default: NAME.out in the working folder, NAME that of "
+                    "the input; none: no files)");
 
 void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands);
 

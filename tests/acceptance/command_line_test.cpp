@@ -21,7 +21,8 @@ class CommandLine : public Program {};
 TEST_F(CommandLine, TheHelpOfEveryCommandHasAnExample) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.code, 0);
-  for (const std::string command : {"fit", "scale", "impact", "campaign", "identify", "calibrate", "predict", "invert", "card"}) {
+  for (const std::string command :
+       {"fit", "scale", "impact", "campaign", "identify", "calibrate", "predict", "invert", "card"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Ended ended = command == "card" ? run({command, "write", "--help"}) : run({command, "--help"});
     EXPECT_EQ(ended.code, 0);
