@@ -10,7 +10,7 @@
 
 #include "colour.hpp"
 #include "pages.hpp"
-#include "percal/fit/findings.hpp"
+#include "percal/fit/interval/findings.hpp"
 #include "percal/fit/page/fit_json.hpp"
 #include "percal/fit/page/page.hpp"
 #include "percal/text/one_value.hpp"

@@ -10,12 +10,12 @@
 //
 // See docs/theory/curves.md.
 #pragma once
-#include "percal/fit/compare_models.hpp"
-#include "percal/fit/curve_data.hpp"
-#include "percal/fit/fit_curves.hpp"
-#include "percal/fit/findings.hpp"
+#include "percal/fit/interval/findings.hpp"
+#include "percal/fit/interval/rate_factor.hpp"
+#include "percal/fit/interval/uncertainty.hpp"
 #include "percal/fit/page/fit_json.hpp"
 #include "percal/fit/page/page.hpp"
-#include "percal/fit/rate_factor.hpp"
-#include "percal/fit/read_curves.hpp"
-#include "percal/fit/uncertainty.hpp"
+#include "percal/fit/points/curve_data.hpp"
+#include "percal/fit/read/read_curves.hpp"
+#include "percal/fit/search/compare_models.hpp"
+#include "percal/fit/search/fit_curves.hpp"

@@ -6,7 +6,7 @@
 #include "core.hpp"
 #include "percal/base/error.hpp"
 #include "percal/fit/page/fit_json.hpp"
-#include "percal/fit/thin_curves.hpp"
+#include "percal/fit/points/thin_curves.hpp"
 #include "percal/units/words.hpp"
 
 namespace percal::python {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "percal/fit/uncertainty.hpp"
+#include "percal/fit/interval/uncertainty.hpp"
 #include "support/synthetic_curves.hpp"
 
 namespace {

@@ -1,4 +1,4 @@
-#include "percal/fit/cards.hpp"
+#include "percal/fit/page/cards.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "percal/fit/compare_models.hpp"
+#include "percal/fit/search/compare_models.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "percal/base/error.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 
 namespace percal {
 namespace {

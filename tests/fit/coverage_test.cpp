@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "percal/fit/rate_factor.hpp"
-#include "percal/fit/uncertainty.hpp"
+#include "percal/fit/interval/rate_factor.hpp"
+#include "percal/fit/interval/uncertainty.hpp"
 #include "support/synthetic_curves.hpp"
 
 namespace percal {

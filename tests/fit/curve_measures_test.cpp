@@ -1,11 +1,11 @@
-#include "percal/fit/curve_measures.hpp"
+#include "percal/fit/read/curve_measures.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal {

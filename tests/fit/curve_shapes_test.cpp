@@ -1,10 +1,10 @@
-#include "percal/fit/curve_shapes.hpp"
+#include "percal/fit/read/curve_shapes.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 
 namespace percal {
 namespace {

@@ -1,4 +1,4 @@
-#include "percal/fit/fit_curves.hpp"
+#include "percal/fit/search/fit_curves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <random>
 
 #include "percal/base/error.hpp"
-#include "percal/fit/findings.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/interval/findings.hpp"
+#include "percal/fit/read/read_curves.hpp"
 
 namespace percal {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "percal/base/error.hpp"
-#include "percal/fit/findings.hpp"
-#include "percal/fit/fit_curves.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/interval/findings.hpp"
+#include "percal/fit/read/read_curves.hpp"
+#include "percal/fit/search/fit_curves.hpp"
 
 namespace percal {
 namespace {

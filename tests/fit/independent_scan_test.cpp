@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "percal/fit/fit_curves.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
+#include "percal/fit/search/fit_curves.hpp"
 
 namespace percal {
 namespace {

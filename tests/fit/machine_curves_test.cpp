@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "fit/fit_runs.hpp"
-#include "percal/fit/peaks.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
+#include "percal/fit/shape/peaks.hpp"
 
 namespace percal {
 namespace {

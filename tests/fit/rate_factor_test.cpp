@@ -1,10 +1,10 @@
-#include "percal/fit/rate_factor.hpp"
+#include "percal/fit/interval/rate_factor.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "percal/base/error.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 #include "support/synthetic_curves.hpp"
 
 namespace percal {

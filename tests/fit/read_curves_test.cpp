@@ -1,4 +1,4 @@
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

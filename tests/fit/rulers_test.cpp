@@ -1,9 +1,9 @@
-#include "percal/fit/rulers.hpp"
+#include "percal/fit/interval/rulers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 
 namespace percal {
 namespace {

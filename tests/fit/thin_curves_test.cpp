@@ -1,12 +1,12 @@
-#include "percal/fit/thin_curves.hpp"
+#include "percal/fit/points/thin_curves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "percal/fit/fit_curves.hpp"
-#include "percal/fit/uncertainty.hpp"
+#include "percal/fit/interval/uncertainty.hpp"
+#include "percal/fit/search/fit_curves.hpp"
 #include "support/synthetic_curves.hpp"
 
 namespace percal {

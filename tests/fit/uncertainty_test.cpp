@@ -1,4 +1,4 @@
-#include "percal/fit/uncertainty.hpp"
+#include "percal/fit/interval/uncertainty.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "percal/fit/curve_calibration.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/interval/curve_calibration.hpp"
+#include "percal/fit/read/read_curves.hpp"
 #include "percal/math/distributions.hpp"
 #include "support/synthetic_curves.hpp"
 

@@ -16,7 +16,7 @@
 #include "percal/base/error.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/card/solver.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 #include "percal/identify/job.hpp"
 #include "percal/page/html.hpp"
 #include "percal/page/text.hpp"

@@ -32,7 +32,10 @@ MAY_SEE = {
 }
 
 # Rooms of a layer, in their order: a file includes rooms up to its own; one that lies beside them, none.
-ROOMS = {"impact": ["kernel", "target", "particle", "march"]}
+ROOMS = {
+    "fit": ["points", "shape", "read", "search", "interval", "page"],
+    "impact": ["kernel", "target", "particle", "march"],
+}
 
 
 def cycle(table):

@@ -42,7 +42,7 @@ FAULTS = [
           "student_quantile((1 + level) / 2, freedom)", "student_quantile(level, freedom)", ("estimate",)),
     Fault("Green's strain lacks its half", "lib/percal/material/conventions.cpp",
           "return (stretch * stretch - 1) / 2;", "return stretch * stretch - 1;", ("material", "fit", "card")),
-    Fault("second Piola stress is taken for nominal", "lib/percal/fit/curve_measures.cpp",
+    Fault("second Piola stress is taken for nominal", "lib/percal/fit/read/curve_measures.cpp",
           "? strained.amount * stress : stress", "? stress : stress", ("fit",)),
     Fault("replicates do not walk the phase of the mesh", "lib/percal/problem/replicates.cpp",
           "from_middle * walk_span(elements_per_radius) / count", "0 * from_middle * walk_span(elements_per_radius) / count", ("problem",)),

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "percal/fit/curve_data.hpp"
+#include "percal/fit/points/curve_data.hpp"
 
 namespace percal::test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "percal/calibrate/shot_problem.hpp"
-#include "percal/fit/cards.hpp"
+#include "percal/fit/page/cards.hpp"
 #include "percal/scene/solver_words.hpp"
 #include "percal/units/quantity.hpp"
 

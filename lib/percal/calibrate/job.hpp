@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "percal/estimate/least_squares.hpp"
-#include "percal/fit/curve_data.hpp"
+#include "percal/fit/points/curve_data.hpp"
 #include "percal/material/conventions.hpp"
 #include "percal/predict/sphere_shot.hpp"
 #include "percal/scene/scene.hpp"

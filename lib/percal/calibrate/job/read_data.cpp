@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "percal/calibrate/job/read_job.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/read/read_curves.hpp"
 #include "percal/text/job_table.hpp"
 #include "percal/units/words.hpp"
 

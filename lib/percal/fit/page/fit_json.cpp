@@ -7,10 +7,10 @@
 #include <map>
 
 #include "percal/card/card_json.hpp"
-#include "percal/fit/cards.hpp"
-#include "percal/fit/findings.hpp"
-#include "percal/fit/peaks.hpp"
-#include "percal/fit/rulers.hpp"
+#include "percal/fit/interval/findings.hpp"
+#include "percal/fit/interval/rulers.hpp"
+#include "percal/fit/page/cards.hpp"
+#include "percal/fit/shape/peaks.hpp"
 #include "percal/material/plausible.hpp"
 
 namespace percal {

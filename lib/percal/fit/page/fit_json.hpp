@@ -3,9 +3,9 @@
 #include <chrono>
 #include <ctime>
 
-#include "percal/fit/compare_models.hpp"
-#include "percal/fit/rate_factor.hpp"
-#include "percal/fit/read_curves.hpp"
+#include "percal/fit/interval/rate_factor.hpp"
+#include "percal/fit/read/read_curves.hpp"
+#include "percal/fit/search/compare_models.hpp"
 #include "percal/material/stability.hpp"
 #include "percal/page/result.hpp"
 

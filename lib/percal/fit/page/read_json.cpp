@@ -1,9 +1,9 @@
 // What was asked of a fit, and what was read for it.
 #include <fmt/core.h>
 
-#include "percal/fit/curve_measures.hpp"
 #include "percal/fit/page/fit_json.hpp"
-#include "percal/fit/peaks.hpp"
+#include "percal/fit/read/curve_measures.hpp"
+#include "percal/fit/shape/peaks.hpp"
 #include "percal/text/sha256.hpp"
 
 namespace percal {
