@@ -36,6 +36,9 @@ struct FitArguments {
   std::vector<std::string> where;                                       // COLUMN=VALUE
   std::string gauge_length, area, width, thickness, specimen_diameter;  // of the specimen of force and displacement
   std::string branch, until, without;                                   // loading, unloading or a number; peak; holds
+  std::string relaxation;                                               // 1, 2, 3 or auto; empty: none
+  std::string time;                                                     // column; empty: found by its name
+  std::vector<std::string> rate;  // RATE of all files, RATE=FILE of one: of tables without times
   bool intervals = true;
   double level = 0.95;
   int bootstrap = 0;         // replicates; 0: none

@@ -7,12 +7,14 @@
 #include <locale>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "colour.hpp"
 #include "pages.hpp"
 #include "percal/fit/interval/findings.hpp"
 #include "percal/fit/page/fit_json.hpp"
 #include "percal/fit/page/page.hpp"
+#include "percal/text/file.hpp"
 #include "percal/text/one_value.hpp"
 #include "percal/units/words.hpp"
 
@@ -117,6 +119,40 @@ RowChoice rows_of(const FitArguments& arguments) {
   return rows;
 }
 
+// "0.05/s" or "5 mm/min" over the gauge length -> 1/s.
+double rate_in(const std::string& text, const Specimen& specimen) {
+  Quantity found{};
+  try {
+    found = parse_quantity(text);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput({"", 0, "--rate"}, error.what(), "a rate of stretch as 0.05/s, or of displacement as \"5 mm/min\"");
+  }
+  const bool speed = found.dimension == dimension::speed;
+  if (speed && !specimen.gauge_length)
+    throw BadInput({"", 0, "--rate"}, in_quotes(text) + " without --gauge-length",
+                   "both, or a rate of stretch as 0.05/s");
+  if (!(found.value > 0) || !(speed || found.dimension == dimension::rate))
+    throw BadInput({"", 0, "--rate"}, in_quotes(text),
+                   "a positive rate of stretch as 0.05/s, or of displacement as \"5 mm/min\"");
+  return speed ? found.value / *specimen.gauge_length : found.value;
+}
+
+// None without --relaxation.
+std::optional<TimesWanted> times_in(const FitArguments& arguments, const Specimen& specimen) {
+  if (arguments.relaxation.empty()) return std::nullopt;
+  TimesWanted times{.column = arguments.time};
+  for (const std::string& text : arguments.rate) {
+    const auto equals = text.find('=');
+    const double rate = rate_in(text.substr(0, equals), specimen);
+    const bool fresh = equals == std::string::npos ? !std::exchange(times.rate, rate)
+                                                   : times.rate_of.try_emplace(text.substr(equals + 1), rate).second;
+    if (!fresh)
+      throw BadInput({"", 0, "--rate"}, in_quotes(text) + " beside another",
+                     "one RATE, and RATE=FILE for single files");
+  }
+  return times;
+}
+
 FitRequest request_of(const FitArguments& arguments) {
   FitRequest request{.files = {},
                      .columns = {.x = arguments.x,
@@ -128,6 +164,16 @@ FitRequest request_of(const FitArguments& arguments) {
                      .stretches = stretches_of(arguments.stable),
                      .compare = arguments.compare};
   read_files(arguments, request);
+  request.columns.times = times_in(arguments, request.columns.specimen);
+  if (request.columns.times) {
+    request.columns.rows.holds = Holds::timed;
+    request.relaxation = relaxation_choice_of(arguments.relaxation);
+    if (!request.relaxation) throw BadInput({"", 0, "--relaxation"}, in_quotes(arguments.relaxation), relaxation_words);
+    for (const auto& [file, rate] : request.columns.times->rate_of)
+      if (std::ranges::find(request.files, file) == request.files.end())
+        throw BadInput({"", 0, "--rate"}, in_quotes(file) + ", which is not fitted",
+                       "RATE=FILE of " + listed(request.files));
+  }
   CurveOptions& options = request.options;
   options.model = *model_of(arguments.model);
   for (const Residual residual : {Residual::relative, Residual::absolute, Residual::error})
@@ -149,6 +195,12 @@ Exit say_read(const page::Json& read, const Common& common) {
   return Exit::done;
 }
 
+// The lines of a scene that the relaxing solid is.
+void write_target(const RelaxingSolid& solid, const std::string& folder) {
+  const std::string target = target_of_scene(solid);
+  if (!folder.empty() && !target.empty()) write_file(folder + "/target.toml", target);
+}
+
 Exit fit(const FitRequest& request, const Common& common) {
   const Stopwatch clock;
   FinishedFit found{.data = read_curves(request.files, request.columns), .fit = {}};
@@ -156,8 +208,13 @@ Exit fit(const FitRequest& request, const Common& common) {
   const std::string folder = out_folder(request.files[0], common);
   found.fit = fit_curves(found.data, request.options);
   if (request.compare) found.comparison = compare_models(found.data, request.options);
-  if (request.intervals) found.uncertainty = uncertainty_of(found.data, found.fit, *request.intervals);
+  if (request.relaxation)
+    found.relaxation = fit_relaxation(found.data, found.fit, *request.relaxation, request.intervals);
+  const bool relaxes = found.relaxation && found.relaxation->terms > 0;
+  if (request.intervals && !relaxes) found.uncertainty = uncertainty_of(found.data, found.fit, *request.intervals);
+  if (relaxes) write_target(found.relaxation->minima.front().solid, folder);
   deliver(fit_to_json(request, found, clock.cost()), folder, common);
+  if (relaxes) return found.relaxation->minima.front().minimum.converged ? Exit::done : Exit::outcome_not_reached;
   if (found.fit.minima.empty()) print("percal: " + findings(found.fit)[0] + "\n", stderr);
   return !found.fit.minima.empty() && found.fit.minima[0].converged ? Exit::done : Exit::outcome_not_reached;
 }

@@ -47,6 +47,20 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
       ->check(CLI::IsMember({"peak"}));
   command->add_option("--without", fit.without, "holds: no rows in which the stress relaxes at a held stretch")
       ->check(CLI::IsMember({"holds"}));
+  auto* relaxation = command->add_option("--relaxation", fit.relaxation,
+                                         "terms of a Prony series, fitted to the whole stress history: 1, 2, 3 or auto "
+                                         "(as many as AICc wants)");
+  command->add_option("--time", fit.time, "with --relaxation: the column of time (default: found by its name)")
+      ->needs(relaxation);
+  command
+      ->add_option(
+          "--rate", fit.rate,
+          "with --relaxation and no column of time: the rate of stretch, as \"0.05 1/s\", or of displacement, as "
+          "\"5 mm/min\"; RATE=FILE of one file (may be given several times)")
+      ->allow_extra_args(false)
+      ->needs(relaxation);
+  for (const char* other : {"--branch", "--until", "--without", "--loss", "--unconstrained", "--compare"})
+    relaxation->excludes(other);
   command->add_flag("--intervals,!--no-intervals", fit.intervals,
                     "profile-likelihood intervals of every parameter (default: yes)");
   command->add_option("--level", fit.level, "confidence level of the intervals (default: 0.95)")
@@ -58,13 +72,16 @@ void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Comma
   command->add_option("--rate-column", fit.rate_column, "with --rate-factor and one file: the column of the rate")
       ->needs(rate_factor);
   for (const char* other :
-       {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap"})
+       {"--model", "--compare", "--weights", "--loss", "--unconstrained", "--stable", "--bootstrap", "--relaxation"})
     rate_factor->excludes(other);
+  relaxation->excludes("--bootstrap");
   command->footer(
       "Examples: percal fit data/public/treloar1944_rubber_primary.csv --where mode=UT --residual absolute\n"
       "          percal fit data/public/treloar1944_rubber_primary.csv --compare --weights tests\n"
       "          percal fit machine.csv --mode compression --gauge-length 10mm --specimen-diameter 12mm\n"
       "          percal fit uniaxial=tension.csv planar=shear.csv --where \"stretch<3\"\n"
+      "          percal fit data/public/vanloocke2008_muscle_rates.csv --mode compression --where set=rate --where "
+      "direction=fibre --relaxation auto\n"
       "          percal fit --rate-factor data/synthetic/gelatin_12wt_quasistatic.csv "
       "data/synthetic/gelatin_12wt_highrate.csv");
   add_common(*command, common, false);

@@ -12,6 +12,8 @@
 #include "percal/material/gelatin.hpp"
 #include "percal/material/homogeneous.hpp"
 #include "percal/material/hyperelastic.hpp"
+#include "percal/material/isochoric.hpp"
 #include "percal/material/ogden.hpp"
 #include "percal/material/plausible.hpp"
+#include "percal/material/prony.hpp"
 #include "percal/material/stability.hpp"

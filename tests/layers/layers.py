@@ -33,7 +33,7 @@ MAY_SEE = {
 
 # Rooms of a layer, in their order: a file includes rooms up to its own; one that lies beside them, none.
 ROOMS = {
-    "fit": ["points", "shape", "read", "search", "interval", "page"],
+    "fit": ["points", "shape", "read", "search", "interval", "relaxation", "page"],
     "impact": ["kernel", "target", "particle", "march"],
 }
 

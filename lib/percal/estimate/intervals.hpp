@@ -56,6 +56,9 @@ std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem
 // profile is that of the best.
 std::vector<ProfileInterval> region_intervals(const CalibrationProblem& problem, const std::vector<Minimum>& minima,
                                               double level, const SearchOptions& options);
+// Of one parameter alone.
+ProfileInterval region_interval(const CalibrationProblem& problem, const std::vector<Minimum>& minima, int parameter,
+                                double level);
 
 // Degrees of freedom of the variance of weight . parameters (Satterthwaite): n - p where one scatter is estimated and no error is
 // known, more where known errors carry a part of it, infinite where no scatter is estimated. At least 1.

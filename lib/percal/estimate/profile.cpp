@@ -81,6 +81,29 @@ bool is_identifiable(const Interval& interval, const FreeParameter& free) {
   return !everywhere && !(free.logarithmic && interval.high > hopeless_factor * interval.low);
 }
 
+// None where the minimum lies so far above the best that nothing is left to rise by.
+std::optional<ProfileInterval> interval_about(Surroundings& surroundings, int parameter, double level, double above) {
+  const auto p = static_cast<int>(surroundings.problem().parameters.size());
+  const double freedom = surroundings.degrees_of_freedom(VectorXd::Unit(p, parameter));
+  const double t = student_quantile((1 + level) / 2, freedom);
+  if (!(t * t > above)) return std::nullopt;
+  ProfileInterval found = trace_profile(surroundings, parameter, t * t - above).interval;
+  found.level = level;
+  found.degrees_of_freedom = freedom;
+  return found;
+}
+
+double above_best(const Minimum& minimum, const Minimum& best) {
+  return std::max(0.0, minimum.deviance - best.deviance);
+}
+
+// The pieces about all minima become one region.
+void join(ProfileInterval& one, const CalibrationProblem& problem) {
+  one.region = united(one.region);
+  one.interval = hull(one.region);
+  one.identifiable = is_identifiable(one.interval, problem.parameters[one.parameter]);
+}
+
 }  // namespace
 
 Surroundings::Surroundings(const CalibrationProblem& problem, const Minimum& minimum)
@@ -175,13 +198,8 @@ std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem
   std::vector<ProfileInterval> intervals;
   Progress progress("intervals", p);
   for (int k = 0; k < p; ++k) {
-    const double freedom = surroundings.degrees_of_freedom(VectorXd::Unit(p, k));
-    const double t = student_quantile((1 + level) / 2, freedom);
     progress.add();
-    if (!(t * t > above)) continue;
-    intervals.push_back(trace_profile(surroundings, k, t * t - above).interval);
-    intervals.back().level = level;
-    intervals.back().degrees_of_freedom = freedom;
+    if (auto one = interval_about(surroundings, k, level, above)) intervals.push_back(std::move(*one));
   }
   return intervals;
 }
@@ -191,17 +209,29 @@ std::vector<ProfileInterval> region_intervals(const CalibrationProblem& problem,
   auto intervals = profile_intervals(problem, minima.front(), level, options);
   for (std::size_t i = 1; i < minima.size(); ++i) {
     if (!minima[i].converged) continue;
-    const double above = std::max(0.0, minima[i].deviance - minima.front().deviance);
-    for (const ProfileInterval& other : profile_intervals(problem, minima[i], level, options, above))
+    for (const ProfileInterval& other :
+         profile_intervals(problem, minima[i], level, options, above_best(minima[i], minima.front())))
       for (ProfileInterval& one : intervals)
         if (one.parameter == other.parameter) one.region.push_back(other.interval);
   }
-  for (ProfileInterval& one : intervals) {
-    one.region = united(one.region);
-    one.interval = hull(one.region);
-    one.identifiable = is_identifiable(one.interval, problem.parameters[one.parameter]);
-  }
+  for (ProfileInterval& one : intervals) join(one, problem);
   return intervals;
+}
+
+ProfileInterval region_interval(const CalibrationProblem& problem, const std::vector<Minimum>& minima, int parameter,
+                                double level) {
+  std::optional<ProfileInterval> whole;
+  for (const Minimum& minimum : minima) {
+    if (whole && !minimum.converged) continue;
+    Surroundings surroundings(problem, minimum);
+    auto one = interval_about(surroundings, parameter, level, above_best(minimum, minima.front()));
+    if (!whole)
+      whole = std::move(one);
+    else if (one)
+      whole->region.push_back(one->interval);
+  }
+  join(*whole, problem);
+  return *whole;
 }
 
 Region united(Region pieces) {

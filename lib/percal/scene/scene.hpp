@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "percal/material/conventions.hpp"
+#include "percal/material/prony.hpp"
 
 namespace percal {
 
@@ -85,16 +86,7 @@ using ErosionAverage = std::variant<NoAverage, AverageWithin>;
 struct NoRelaxation {
   bool operator==(const NoRelaxation&) const = default;
 };
-// Of the deviatoric stress: mu(t) = mu (1 - sum g_i (1 - exp(-t/tau_i))), mu the instantaneous modulus.
-struct PronyTerm {
-  double share;  // g_i
-  double time;   // tau_i: s in a scene, radii at impact speed in a problem
-  bool operator==(const PronyTerm&) const = default;
-};
-struct PronySeries {
-  std::vector<PronyTerm> terms;
-  bool operator==(const PronySeries&) const = default;
-};
+// Of the deviatoric stress: PronySeries of material/prony.hpp.
 using Relaxation = std::variant<NoRelaxation, PronySeries>;
 
 // --- fibres -----------------------------------------------------------------------------------------------------

@@ -19,7 +19,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_alpha = 1e-3;  // the solver divides by alpha
 const Range initial_stretches{.low = 0.5, .high = 3, .words = "a stretch from 0.5 to 3; 1: none"};
-constexpr std::size_t most_relaxation_terms = 3;
 
 Relaxation read_relaxation(const TomlTable& target) {
   const auto tables = target.tables("relaxation");

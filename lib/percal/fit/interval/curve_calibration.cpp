@@ -5,10 +5,15 @@
 #include <set>
 
 #include "percal/base/progress.hpp"
+#include "percal/math/distributions.hpp"
 #include "percal/math/draws.hpp"
 
 namespace percal {
 namespace {
+
+constexpr double exact = 1e-20;          // share of the data's sum of squares that is only rounding
+constexpr double errors_refuted = 0.01;  // chance of so large a misfit below which standard errors are not believed
+constexpr int fewest_neighbours = 8;     // pairs of points for a correlation
 
 // "mu" and "alpha" of one term; "mu_1", "alpha_1", .. of several.
 std::string numbered(const std::string& symbol, std::size_t term, std::size_t terms) {
@@ -85,6 +90,33 @@ Interval percentiles(const FreeParameter& parameter, const Eigen::VectorXd& sear
 }
 
 }  // namespace
+
+ErrorSource error_source(const CurveProblem& problem, const CurveOptions& options, double sum_of_squares, int degrees) {
+  const bool one_to_one =
+      options.residual == Residual::error && options.loss == Loss::squares &&
+      std::all_of(problem.tests.begin(), problem.tests.end(), [](const auto& test) { return test.weight == 1; });
+  return one_to_one && chi_squared_tail(sum_of_squares, degrees) > errors_refuted ? ErrorSource::standard_errors
+                                                                                  : ErrorSource::residuals;
+}
+
+bool lies_on_the_model(const CurveProblem& problem, double sum_of_squares) {
+  double whole = 0;
+  for (const auto& point : problem.points) whole += point.weight * point.stress * point.weight * point.stress;
+  return sum_of_squares <= exact * whole;
+}
+
+std::optional<double> neighbour_correlation(const CurveProblem& problem, const Eigen::VectorXd& residual) {
+  double product = 0;
+  int pairs = 0;
+  for (Eigen::Index i = 0; i + 1 < residual.size(); ++i) {
+    if (problem.points[static_cast<std::size_t>(i)].test != problem.points[static_cast<std::size_t>(i) + 1].test)
+      continue;
+    product += residual[i] * residual[i + 1];
+    ++pairs;
+  }
+  if (pairs < fewest_neighbours) return std::nullopt;
+  return (product / pairs) / (residual.squaredNorm() / static_cast<double>(residual.size()));
+}
 
 CalibrationProblem calibration_of(const CurveProblem& problem, const CurveOptions& options, const Hyperelastic& solid,
                                   ErrorSource errors) {

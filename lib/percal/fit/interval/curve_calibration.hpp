@@ -10,6 +10,15 @@ namespace percal {
 // Where the points' errors come from: their own scatter about the model, or the standard errors that the file gives.
 enum class ErrorSource { residuals, standard_errors };
 
+// Standard errors are believed where every point counts by its own, and the best fit's misfit may be chance.           (32)
+ErrorSource error_source(const CurveProblem& problem, const CurveOptions& options, double sum_of_squares, int degrees);
+
+// Whether so small a sum of squared residuals is rounding alone.
+bool lies_on_the_model(const CurveProblem& problem, double sum_of_squares);
+
+// Mean product of residuals that are neighbours in a test, over the mean square: one for each point of the problem. None with few. (33)
+std::optional<double> neighbour_correlation(const CurveProblem& problem, const Eigen::VectorXd& residual);
+
 // Searched parameters of a solid: ln mu_k, within a factor of `modulus_reach` of the fit's (mu_k itself where the signs are
 // free, up to so many times the largest), then the free alpha_k within +-largest_alpha.
 inline constexpr double modulus_reach = 1e3;

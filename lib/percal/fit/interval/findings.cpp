@@ -112,15 +112,6 @@ void standard_errors(const Uncertainty& uncertainty, const CurveFit& fit, std::v
                     uncertainty.scatter));
 }
 
-void systematic_misfit(const Uncertainty& uncertainty, int points, std::vector<std::string>& sentences) {
-  const auto& correlation = uncertainty.neighbour_correlation;
-  if (!correlation || *correlation < alike / std::sqrt(points)) return;
-  sentences.push_back(
-      fmt::format("Neighbouring residuals are alike (correlation {:.2f}): the misfit is systematic, not noise, and the "
-                  "intervals, which take the errors as independent, are too narrow.",
-                  *correlation));
-}
-
 // Why moduli of any sign make no solid: "mu_1 + mu_2 = 818 kPa - 1.5 MPa".
 std::string negative_sum(const CurveFit& fit) {
   const bool mooney = fit.options.model == Model::mooney_rivlin;
@@ -167,6 +158,14 @@ std::vector<std::string> findings(const CurveFit& fit) {
   return sentences;
 }
 
+std::string systematic_misfit(const std::optional<double>& neighbour_correlation, std::size_t points) {
+  if (!neighbour_correlation || *neighbour_correlation < alike / std::sqrt(static_cast<double>(points))) return "";
+  return fmt::format(
+      "Neighbouring residuals are alike (correlation {:.2f}): the misfit is systematic, not noise, and the "
+      "intervals, which take the errors as independent, are too narrow.",
+      *neighbour_correlation);
+}
+
 std::string range_of(const CurveData& data) {
   Range stretch, shear;
   for (const auto& point : data.points) {
@@ -187,7 +186,9 @@ std::string undetermined(const ParameterUncertainty& parameter, const std::strin
              to_end = high_open && high == parameter.searched_high;
   const std::string interval = fmt::format("its {:g} % interval", 100 * level);
   const auto shown = [&](double value) {
-    return page::quantity(value, parameter.unit.empty() ? dimension::none : dimension::pressure);
+    return page::quantity(value, parameter.unit.empty()  ? dimension::none
+                                 : parameter.unit == "s" ? dimension::time
+                                                         : dimension::pressure);
   };
   const std::string end = "the end of the search at ";
   if (from_end && to_end)
@@ -233,7 +234,8 @@ std::vector<std::string> uncertainty_findings(const Uncertainty& uncertainty, co
     sentences.push_back(
         "Planar tension and simple shear are even in alpha: each interval of alpha holds for its own sign.");
   standard_errors(uncertainty, fit, sentences);
-  systematic_misfit(uncertainty, static_cast<int>(problem.points.size()), sentences);
+  if (const auto misfit = systematic_misfit(uncertainty.neighbour_correlation, problem.points.size()); !misfit.empty())
+    sentences.push_back(misfit);
   return sentences;
 }
 

@@ -16,6 +16,9 @@ std::vector<std::string> findings(const CurveFit& fit);
 std::vector<std::string> uncertainty_findings(const Uncertainty& uncertainty, const CurveData& data,
                                               const CurveProblem& problem, const CurveFit& fit);
 
+// Residuals that are no noise, by the correlation of neighbours among so many points; empty where they may be.        (33)
+std::string systematic_misfit(const std::optional<double>& neighbour_correlation, std::size_t points);
+
 // "The stretch range 0.95 to 1.05", "The shear range 0 to 0.4", or both.
 std::string range_of(const CurveData& data);
 

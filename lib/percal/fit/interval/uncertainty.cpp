@@ -10,10 +10,7 @@
 namespace percal {
 namespace {
 
-constexpr double exact = 1e-20;          // share of the data's sum of squares that is only rounding
-constexpr double errors_refuted = 0.01;  // chance of so large a misfit below which standard errors are not believed
-constexpr int fewest_neighbours = 8;     // pairs of points for a correlation
-constexpr double surely_out = 2;         // thresholds above the best at which a minimum is not looked at
+constexpr double surely_out = 2;  // thresholds above the best at which a minimum is not looked at
 
 // A robust loss counts a point as if its weight were smaller; the intervals keep what it came to at the best minimum.
 void weigh_as_the_loss_does(CurveProblem& problem, const CurveFit& fit) {
@@ -31,35 +28,6 @@ Eigen::VectorXd residuals(const CurveProblem& problem, const Hyperelastic& solid
   for (const auto& point : problem.points)
     all[i++] = point.weight * (point.stress - nominal_stress(solid, point.pair) / problem.scale);
   return all;
-}
-
-bool lies_on_the_model(const CurveProblem& problem, double sum_of_squares) {
-  double whole = 0;
-  for (const auto& point : problem.points) whole += point.weight * point.stress * point.weight * point.stress;
-  return sum_of_squares <= exact * whole;
-}
-
-// Mean product of residuals that are neighbours in a test, over the mean square.
-std::optional<double> neighbour_correlation(const CurveProblem& problem, const Eigen::VectorXd& residual) {
-  double product = 0;
-  int pairs = 0;
-  for (Eigen::Index i = 0; i + 1 < residual.size(); ++i) {
-    if (problem.points[static_cast<std::size_t>(i)].test != problem.points[static_cast<std::size_t>(i) + 1].test)
-      continue;
-    product += residual[i] * residual[i + 1];
-    ++pairs;
-  }
-  if (pairs < fewest_neighbours) return std::nullopt;
-  return (product / pairs) / (residual.squaredNorm() / static_cast<double>(residual.size()));
-}
-
-// Standard errors are believed where every point counts by its own, and the best fit's misfit may be chance.
-ErrorSource error_source(const CurveProblem& problem, const CurveFit& fit, double sum_of_squares, int degrees) {
-  const bool one_to_one =
-      fit.options.residual == Residual::error && fit.options.loss == Loss::squares &&
-      std::all_of(problem.tests.begin(), problem.tests.end(), [](const auto& test) { return test.weight == 1; });
-  return one_to_one && chi_squared_tail(sum_of_squares, degrees) > errors_refuted ? ErrorSource::standard_errors
-                                                                                  : ErrorSource::residuals;
 }
 
 // The rise of the objective, in units of the points' variance, that ends an interval.
@@ -183,7 +151,7 @@ Uncertainty uncertainty_of(const CurveData& data, const CurveFit& fit, const Unc
   const double variance = sum / result.degrees_of_freedom;
   result.scatter = std::sqrt(variance * problem.objective_unit);
   result.neighbour_correlation = neighbour_correlation(problem, residual);
-  result.errors = error_source(problem, fit, sum, result.degrees_of_freedom);
+  result.errors = error_source(problem, fit.options, sum, result.degrees_of_freedom);
   const double highest = threshold(result.errors, options.level, result.degrees_of_freedom);
   std::optional<double> best_deviance;
   for (int k = 0; k < static_cast<int>(fit.minima.size()); ++k) {

@@ -182,18 +182,6 @@ Json to_json(const Interval& interval) {
           {"high_open", interval.high_open}};
 }
 
-Json to_json(const ParameterUncertainty& parameter) {
-  Json result = to_json(parameter.interval);
-  result["value"] = finite(parameter.value);
-  result["identifiable"] = parameter.identifiable;
-  result["bootstrap"] = nullptr;
-  if (const auto& bootstrap = parameter.bootstrap)
-    result["bootstrap"] = {{"points", to_json(bootstrap->points)},
-                           {"residuals", to_json(bootstrap->residuals)},
-                           {"parametric", to_json(bootstrap->parametric)}};
-  return result;
-}
-
 Json rows_of(const Eigen::MatrixXd& matrix) {
   Json all = Json::array();
   for (const auto& row : matrix.rowwise()) {
@@ -207,7 +195,7 @@ Json to_json(const MinimumUncertainty& about) {
   Json parameters = Json::object(), order = Json::array();
   for (const auto& parameter : about.parameters) {
     const std::string key = parameter.unit.empty() ? parameter.name : parameter.name + "_" + parameter.unit;
-    parameters[key] = to_json(parameter);
+    parameters[key] = parameter_to_json(parameter);
     order.push_back(key);
   }
   return {{"minimum", about.minimum},
@@ -247,6 +235,18 @@ void add_warnings(Json& result, const std::vector<std::string>& sentences) {
 
 }  // namespace
 
+Json parameter_to_json(const ParameterUncertainty& parameter) {
+  Json result = to_json(parameter.interval);
+  result["value"] = finite(parameter.value);
+  result["identifiable"] = parameter.identifiable;
+  result["bootstrap"] = nullptr;
+  if (const auto& bootstrap = parameter.bootstrap)
+    result["bootstrap"] = {{"points", to_json(bootstrap->points)},
+                           {"residuals", to_json(bootstrap->residuals)},
+                           {"parametric", to_json(bootstrap->parametric)}};
+  return result;
+}
+
 Json region_to_json(const Region& region) {
   Json pieces = Json::array();
   for (const Interval& piece : region) pieces.push_back({finite(piece.low), finite(piece.high)});
@@ -254,46 +254,54 @@ Json region_to_json(const Region& region) {
 }
 
 Json fit_to_json(const FitRequest& request, const FinishedFit& found, const page::Cost& cost) {
-  const auto& [data, fit, uncertainty, comparison] = found;
+  const auto& [data, fit, uncertainty, comparison, relaxation] = found;
   const CurveOptions& options = fit.options;
   Json modes = Json::object(), models = nullptr;
   for (const auto& [deformation, points] : fit.points_of_mode) modes[word(deformation)] = points;
   if (comparison) models = Json::array();
   for (const ComparedModel& model : comparison.value_or(std::vector<ComparedModel>{}))
     models.push_back(to_json(model, lowest_aicc(*comparison), request.stretches));
-  std::vector<std::string> sentences = findings(fit);
+  const bool relaxes = relaxation && relaxation->terms > 0;  // the fit that knows no time is then beside the point
+  std::vector<std::string> sentences = relaxes ? std::vector<std::string>{} : findings(fit);
+  if (relaxation) sentences.insert(sentences.end(), relaxation->findings.begin(), relaxation->findings.end());
   if (uncertainty) sentences.insert(sentences.end(), uncertainty->findings.begin(), uncertainty->findings.end());
   Json result = read_to_json(request, data.sources);
-  result.update(
-      {{"model", word(options.model)},
-       {"minima", minima_of(fit)},
-       {"residual", word(options.residual)},
-       {"objective_unit", options.residual == Residual::absolute ? "Pa^2" : "1"},
-       {"loss", word(options.loss)},
-       {"loss_scale", finite(fit.loss_scale)},
-       {"signs", options.signs == Signs::free ? "free" : "positive"},
-       {"convention", "true"},
-       {"aicc", finite(fit.aicc)},
-       {"points", fit.points},
-       {"points_of_mode", modes},
-       {"tests", tests_of(fit)},
-       {"left_out_zero_stress", fit.left_out_zero_stress},
-       {"left_out_no_error", fit.left_out_no_error},
-       {"search",
-        {{"alpha_low", -largest_alpha},
-         {"alpha_high", largest_alpha},
-         {"scanned", fit.scanned},
-         {"starts", fit.starts}}},
-       {"stability", stability_of(fit, request.stretches)},
-       {"uncertainty", uncertainty ? to_json(*uncertainty) : Json(nullptr)},
-       {"comparison", models},
-       {"cards", cards_to_json(fit_cards(data, fit, uncertainty.value_or(Uncertainty{}), request.columns.where))},
-       {"rate_factor", nullptr},
-       {"erosion_prior", erosion_prior(data.sources)},
-       {"data", points_of_tests(data, fit.tests)},
-       {"findings", sentences},
-       {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},
-       {"cost", page::cost_to_json(cost)}});
+  result.update({{"model", word(options.model)},
+                 {"minima", minima_of(fit)},
+                 {"residual", word(options.residual)},
+                 {"objective_unit", options.residual == Residual::absolute ? "Pa^2" : "1"},
+                 {"loss", word(options.loss)},
+                 {"loss_scale", finite(fit.loss_scale)},
+                 {"signs", options.signs == Signs::free ? "free" : "positive"},
+                 {"convention", "true"},
+                 {"aicc", finite(fit.aicc)},
+                 {"points", fit.points},
+                 {"points_of_mode", modes},
+                 {"tests", tests_of(fit)},
+                 {"left_out_zero_stress", fit.left_out_zero_stress},
+                 {"left_out_no_error", fit.left_out_no_error},
+                 {"search",
+                  {{"alpha_low", -largest_alpha},
+                   {"alpha_high", largest_alpha},
+                   {"scanned", fit.scanned},
+                   {"starts", fit.starts}}},
+                 {"stability", stability_of(fit, request.stretches)},
+                 {"uncertainty", uncertainty ? to_json(*uncertainty) : Json(nullptr)},
+                 {"comparison", models},
+                 {"relaxation", relaxation ? relaxation_to_json(data, *relaxation) : Json(nullptr)},
+                 {"cards", relaxes ? Json::array()
+                                   : cards_to_json(fit_cards(data, fit, uncertainty.value_or(Uncertainty{}),
+                                                             request.columns.where))},
+                 {"rate_factor", nullptr},
+                 {"erosion_prior", erosion_prior(data.sources)},
+                 {"data", points_of_tests(data, fit.tests)},
+                 {"findings", sentences},
+                 {"seed", uncertainty ? Json(uncertainty->options.seed) : Json(nullptr)},
+                 {"cost", page::cost_to_json(cost)}});
+  if (relaxes) {
+    add_warnings(result, implausible_modulus(small_strain_modulus(relaxation->minima[0].solid.instantaneous)));
+    return result;
+  }
   add_warnings(result, rulers(data, fit));
   if (!fit.minima.empty()) add_warnings(result, implausible_modulus(small_strain_modulus(fit.minima[0].solid)));
   return result;
@@ -308,10 +316,10 @@ Json rate_factor_to_json(const FitRequest& request, const RatePair& pair, const 
   result.update({{"level", found.level},
                  {"residual", word(found.residual)},
                  {"convention", "true"},
-                 {"rate_factor", to_json(found.factor)},
-                 {"mu_slow_Pa", to_json(found.mu_slow)},
-                 {"mu_fast_Pa", to_json(found.mu_fast)},
-                 {"alpha", to_json(found.alpha)},
+                 {"rate_factor", parameter_to_json(found.factor)},
+                 {"mu_slow_Pa", parameter_to_json(found.mu_slow)},
+                 {"mu_fast_Pa", parameter_to_json(found.mu_fast)},
+                 {"alpha", parameter_to_json(found.alpha)},
                  {"slow", to_json(found.slow)},
                  {"fast", to_json(found.fast)},
                  {"one_shape",

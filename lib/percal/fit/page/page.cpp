@@ -217,6 +217,8 @@ std::string file_words(const Json& result) {
 
 Page fit_page(const Json& result) {
   if (at(result, "rate_factor").is_object()) return rate_factor_page(result);
+  if (relaxes(result))
+    return relaxation_page(result, "Fit of " + model_words(result) + ", relaxing, to " + file_words(result));
   Page page{.title = "Fit of " + model_words(result) + " to " + file_words(result),
             .summary = summary_of(result),
             .sections = {}};

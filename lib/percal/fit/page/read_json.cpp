@@ -27,6 +27,11 @@ Json to_json(const Specimen& specimen) {
   return {{"gauge_length_m", finite(specimen.gauge_length)}, {"area_m2", finite(specimen.area)}};
 }
 
+Json to_json(const std::optional<TimesWanted>& times) {
+  if (!times) return nullptr;
+  return {{"column", times->column}, {"rate_1_s", finite(times->rate)}, {"rate_of_1_s", times->rate_of}};
+}
+
 Json input_of(const FitRequest& request) {
   const CurveColumns& columns = request.columns;
   const CurveOptions& options = request.options;
@@ -49,6 +54,8 @@ Json input_of(const FitRequest& request) {
           {"branch", word(columns.rows.branch)},
           {"until", columns.rows.until == CurveEnd::peak ? "peak" : ""},
           {"without", columns.rows.holds == Holds::left_out ? "holds" : ""},
+          {"relaxation", request.relaxation ? word(*request.relaxation) : ""},
+          {"times", to_json(columns.times)},
           {"intervals", intervals.has_value()},
           {"level", intervals ? Json(intervals->level) : Json(nullptr)},
           {"bootstrap", intervals ? Json(intervals->bootstrap) : Json(nullptr)},

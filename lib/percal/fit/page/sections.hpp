@@ -79,6 +79,10 @@ Section left_out_points_section(const Json& result);
 Section taken_section(const Json& result);  // what was made of the files as the user asked; none without such an option
 Section peaks_section(const Json& result);  // where the curves are largest, and what that is worth as an erosion strain
 
+// --- relaxation.cpp
+bool relaxes(const Json& result);  // whether a Prony series was fitted, and came to a term or more
+Page relaxation_page(const Json& result, const std::string& title);
+
 // --- rate_factor.cpp
 Page rate_factor_page(const Json& result);
 

@@ -19,6 +19,7 @@ struct StressPoint {
   std::optional<double> standard_error = {};  // Pa, of nominal_stress
   int source = 0;                             // index of its CurveSource
   int rows = 1;                               // of the file that it is the mean of: see thin_curves.hpp
+  std::optional<double> time = {};            // s; read where relaxation is fitted
 };
 
 // Where the stress of a curve is largest, and what becomes of it behind.

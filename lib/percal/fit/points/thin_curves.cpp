@@ -40,6 +40,39 @@ void take(StressPoint& mean, const StressPoint& point) {
                                     share * *point.standard_error * *point.standard_error);
 }
 
+bool goes_on(const StressPoint& before, const StressPoint& point) {
+  return before.strained.deformation == point.strained.deformation && *point.time >= *before.time;
+}
+
+void say_averaged(CurveData& data, Deformation deformation, std::size_t rows, std::size_t left) {
+  data.sources.back().warnings.push_back(
+      fmt::format("{}: {}: {} rows are averaged to {} points, which is all that a fit can tell apart; each counts as "
+                  "many rows as it stands for.",
+                  data.sources.back().file, word(deformation), rows, left));
+}
+
+// Runs of neighbours in time become one; a run ends with its history, whose first point stands alone.
+void thin_in_time(CurveData& data, const std::map<Deformation, Crowd>& crowds) {
+  std::vector<StressPoint> kept;
+  std::map<Deformation, std::size_t> left;
+  std::size_t in_history = 0;
+  for (std::size_t i = 0; i < data.points.size(); ++i) {
+    const StressPoint& point = data.points[i];
+    const std::size_t run = (crowds.at(point.strained.deformation).points + most_points - 1) / most_points;
+    in_history = i > 0 && goes_on(data.points[i - 1], point) ? in_history + 1 : 0;
+    if (in_history < 2 || (in_history - 1) % run == 0) {
+      kept.push_back(point);
+      ++left[point.strained.deformation];
+      continue;
+    }
+    take(kept.back(), point);
+    *kept.back().time += (*point.time - *kept.back().time) / kept.back().rows;
+  }
+  for (const auto& [deformation, crowd] : crowds)
+    if (left[deformation] < crowd.points) say_averaged(data, deformation, crowd.points, left[deformation]);
+  data.points = std::move(kept);
+}
+
 }  // namespace
 
 void thin(CurveData& data) {
@@ -50,6 +83,7 @@ void thin(CurveData& data) {
     crowd.across.add(point.strained.across);
     ++crowd.points;
   }
+  if (!data.points.empty() && data.points[0].time) return thin_in_time(data, crowds);
   std::map<std::tuple<Deformation, int, int>, std::size_t> place;
   std::vector<StressPoint> kept;
   for (const StressPoint& point : data.points) {
@@ -69,11 +103,7 @@ void thin(CurveData& data) {
     kept.push_back(point);
   }
   for (const auto& [deformation, crowd] : crowds)
-    if (crowd.left < crowd.points)
-      data.sources.back().warnings.push_back(fmt::format(
-          "{}: {}: {} rows are averaged to {} points, which is all that a fit can tell apart; each counts as "
-          "many rows as it stands for.",
-          data.sources.back().file, word(deformation), crowd.points, crowd.left));
+    if (crowd.left < crowd.points) say_averaged(data, deformation, crowd.points, crowd.left);
   data.points = std::move(kept);
 }
 

@@ -203,9 +203,11 @@ std::vector<std::string> shapes(const CsvTable& table, const FoundColumns& found
   for (const Followed& test : followed(points)) {
     if (!(test.longest > 0) || !(test.largest > 0)) continue;
     const std::vector<Branch> branches = branches_of(test);
-    if (std::holds_alternative<AllBranches>(choice.branch)) runs_back(table, test, branches, sentences);
+    if (std::holds_alternative<AllBranches>(choice.branch) && choice.holds != Holds::timed)
+      runs_back(table, test, branches, sentences);
     if (choice.holds == Holds::kept) holds(table, found, test, sentences);
-    if (choice.until == CurveEnd::last_row && branches.size() == 1) peak(table, found, test, sentences);
+    if (choice.until == CurveEnd::last_row && choice.holds != Holds::timed && branches.size() == 1)
+      peak(table, found, test, sentences);
     offset(table, test, sentences);
     const bool loaded = std::any_of(branches.begin(), branches.end(), [](const Branch& b) { return b.loading; });
     if (loaded && branches[0].end >= fewest_rows - 1) toe(table, found, test, branches[0].end, sentences);

@@ -11,6 +11,7 @@
 #include "percal/fit/points/thin_curves.hpp"
 #include "percal/fit/read/curve_columns.hpp"
 #include "percal/fit/read/curve_shapes.hpp"
+#include "percal/fit/read/curve_times.hpp"
 #include "percal/fit/read/curve_warnings.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/text/csv_cells.hpp"
@@ -247,6 +248,7 @@ CurveData curves_of(const CsvTable& whole, const CurveColumns& wanted) {
                           .specimen = wanted.specimen,
                           .taken = geometry_words(table, found, wanted.specimen, modes),
                           .warnings = warnings});
+  if (wanted.times) read_times(data, table, *wanted.times, {found.x, found.y});
   choose_rows(data, table, wanted.rows);
   thin(data);
   return data;

@@ -1,6 +1,7 @@
 // Stress-stretch curves out of CSV files.                                                      docs/formats/csv.md
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@
 #include "percal/text/csv.hpp"
 
 namespace percal {
+
+// Where the time of every row comes from: a column (empty: found by its name), or the rates at which the stretch moves, for tables
+// without such a column.
+struct TimesWanted {
+  std::string column = {};
+  std::optional<double> rate = {};             // 1/s, of stretch or gamma; for all files
+  std::map<std::string, double> rate_of = {};  // of single files, by their names as given
+};
 
 // What the user says about the columns; empty: found by their names.
 struct CurveColumns {
@@ -19,6 +28,7 @@ struct CurveColumns {
   std::vector<std::string> where = {};              // conditions of CsvTable::where: the rows to keep
   Specimen specimen = {};                           // where x is a displacement, y a force
   RowChoice rows = {};                              // branches, peaks and holds
+  std::optional<TimesWanted> times = {};            // none: no row has a time
 };
 
 // The points of all files together. Throws BadInput: no such column, several that could be meant, no row left, a

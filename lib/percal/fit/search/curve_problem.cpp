@@ -120,6 +120,7 @@ CurveProblem curve_problem(const CurveData& data, Residual residual, const Weigh
     const int test = index_of_test(*point, data, problem);
     const double weight = point_weight(*point, problem) * std::sqrt(point->rows);
     problem.points.push_back({pair, point->nominal_stress / problem.scale, weight, test});
+    problem.rows.push_back(static_cast<std::size_t>(point - data.points.data()));
     ++problem.tests[test].points;
     problem.tests[test].rows += point->rows;
     ++problem.points_of_mode[point->strained.deformation];
@@ -148,6 +149,12 @@ CurveResiduals residuals_of(const CurveProblem& problem, Model model, const Hype
     residuals.value(i) = point.weight * (point.stress - model_stress);
   }
   return residuals;
+}
+
+std::optional<double> aicc(double sum_of_squares, std::size_t points, int parameters) {
+  const double n = static_cast<double>(points), k = parameters + 1;
+  if (!(n - k - 1 > 0) || !(sum_of_squares > 0)) return std::nullopt;
+  return n * std::log(sum_of_squares / n) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
 }
 
 std::string word(Residual residual) {

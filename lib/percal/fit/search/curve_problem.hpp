@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -51,6 +52,7 @@ struct WeightedPoint {
 
 struct CurveProblem {
   std::vector<WeightedPoint> points;
+  std::vector<std::size_t> rows = {};  // of each point: its index in CurveData::points
   std::vector<CurveTest> tests;
   double scale = 1;           // Pa: stress of 1 above
   double objective_unit = 1;  // of a sum of squared residuals: scale^2 where they are in Pa
@@ -73,6 +75,9 @@ struct CurveResiduals {
   Eigen::MatrixXd jacobian;
 };
 CurveResiduals residuals_of(const CurveProblem& problem, Model model, const Hyperelastic& solid);
+
+// n ln(S/n) + 2 k + 2 k (k + 1)/(n - k - 1), k the parameters and the scatter; none with too few points or an exact fit.     (19)
+std::optional<double> aicc(double sum_of_squares, std::size_t points, int parameters);
 
 std::string word(Residual residual);  // "relative", "absolute", "error"
 

@@ -109,13 +109,6 @@ void sort_and_compare(std::vector<CurveMinimum>& minima, double floor) {
   }
 }
 
-// n ln(S/n) + 2 k + 2 k (k + 1)/(n - k - 1), k the parameters and the scatter.                          (19)
-std::optional<double> aicc(const CurveMinimum& best, const CurveProblem& problem, Model model) {
-  const double n = static_cast<double>(problem.points.size()), k = parameters_of(model) + 1;
-  if (!(n - k - 1 > 0) || !(best.objective > 0)) return std::nullopt;
-  return n * std::log(best.objective / problem.objective_unit / n) + 2 * k + 2 * k * (k + 1) / (n - k - 1);
-}
-
 // Least squares, and for a robust loss fits with the scale that the residuals of the fit before have.
 FoundMinima searched(const CurveProblem& problem, const CurveOptions& options, ScaledLoss& loss) {
   FoundMinima found = search_terms(options.model, problem.points, options.signs, {});
@@ -157,7 +150,9 @@ CurveFit fit_curves(const CurveData& data, const CurveOptions& options) {
   if (fit.minima.empty() && found.refused) fit.refused = in_pascals(*found.refused, problem.scale);
   const double data_squares = weighted_stress(problem.points).squaredNorm() * problem.objective_unit;
   sort_and_compare(fit.minima, rounding * data_squares);
-  if (!fit.minima.empty()) fit.aicc = aicc(fit.minima[0], problem, options.model);
+  if (!fit.minima.empty())
+    fit.aicc =
+        aicc(fit.minima[0].objective / problem.objective_unit, problem.points.size(), parameters_of(options.model));
   return fit;
 }
 

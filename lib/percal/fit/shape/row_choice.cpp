@@ -215,13 +215,13 @@ std::string word(const BranchChoice& choice) {
 
 void choose_rows(CurveData& data, const CsvTable& table, const RowChoice& choice) {
   const bool branch = !std::holds_alternative<AllBranches>(choice.branch);
-  if (!branch && choice.until == CurveEnd::last_row && choice.holds == Holds::kept) return;
+  if (!branch && choice.until == CurveEnd::last_row && choice.holds != Holds::left_out) return;
   for (std::size_t i = 0; i < data.points.size(); ++i)
     if (data.points[i].strained.deformation == Deformation::biaxial)
       throw BadInput({table.file, table.rows[i].line,
-                      branch                        ? "branch"
-                      : choice.holds == Holds::kept ? "until"
-                                                    : "without"},
+                      branch                            ? "branch"
+                      : choice.holds != Holds::left_out ? "until"
+                                                        : "without"},
                      "general_biaxial points, whose order no single stretch tells", "--where to choose rows");
   Chooser(data, table, choice).choose();
 }

@@ -18,7 +18,7 @@ struct OneBranch {
 using BranchChoice = std::variant<AllBranches, LoadingBranches, UnloadingBranches, OneBranch>;
 
 enum class CurveEnd { last_row, peak };
-enum class Holds { kept, left_out };
+enum class Holds { kept, left_out, timed };  // timed: kept, with the times at which their stress relaxes
 
 struct RowChoice {
   BranchChoice branch = AllBranches{};

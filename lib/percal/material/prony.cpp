@@ -1,0 +1,31 @@
+#include "percal/material/prony.hpp"
+
+#include <cmath>
+
+namespace percal {
+namespace {
+
+constexpr double short_step = 1e-4;  // of tau: below it the series' next term is rounding
+
+}  // namespace
+
+double share_left(const PronySeries& series, double time) {
+  double share = 1;
+  for (const PronyTerm& term : series.terms) share += term.share * std::expm1(-time / term.time);
+  return share;
+}
+
+double lasting_share(const PronySeries& series) {
+  double share = 1;
+  for (const PronyTerm& term : series.terms) share -= term.share;
+  return share;
+}
+
+HereditaryStep hereditary_step(double elapsed, double time) {
+  const double x = elapsed / time, decay = std::exp(-x);
+  if (x < short_step) return {decay, 1 - x / 2 + x * x / 6, x * decay, x / 2 - x * x / 3};
+  const double taken = -std::expm1(-x) / x;
+  return {decay, taken, x * decay, taken - decay};
+}
+
+}  // namespace percal
