@@ -125,15 +125,15 @@ double rate_in(const std::string& text, const Specimen& specimen) {
   try {
     found = parse_quantity(text);
   } catch (const std::invalid_argument& error) {
-    throw BadInput({"", 0, "--rate"}, error.what(), "a rate of stretch as 0.05/s, or of displacement as \"5 mm/min\"");
+    throw BadInput({"", 0, "--rate"}, error.what(), "a rate of stretch as \"0.05 1/s\", or of displacement as \"5 mm/min\"");
   }
   const bool speed = found.dimension == dimension::speed;
   if (speed && !specimen.gauge_length)
     throw BadInput({"", 0, "--rate"}, in_quotes(text) + " without --gauge-length",
-                   "both, or a rate of stretch as 0.05/s");
+                   "both, or a rate of stretch as \"0.05 1/s\"");
   if (!(found.value > 0) || !(speed || found.dimension == dimension::rate))
     throw BadInput({"", 0, "--rate"}, in_quotes(text),
-                   "a positive rate of stretch as 0.05/s, or of displacement as \"5 mm/min\"");
+                   "a positive rate of stretch as \"0.05 1/s\", or of displacement as \"5 mm/min\"");
   return speed ? found.value / *specimen.gauge_length : found.value;
 }
 

@@ -29,7 +29,7 @@ CurveData made_with(const Ogden& solid, Deformation deformation) {
 
 double sum_of_squares(const CurveData& data, const Ogden& solid, Residual residual) {
   double sum = 0;
-  for (const auto& [strained, stress, standard_error, source, rows] : data.points) {
+  for (const auto& [strained, stress, standard_error, source, rows, time] : data.points) {
     if (residual == Residual::relative && stress == 0) continue;
     const double misfit = (stress - nominal_stress(solid, strained)) / (residual == Residual::relative ? stress : 1);
     sum += misfit * misfit;
@@ -87,7 +87,7 @@ TEST(FitOgden, StandardErrorsAreThoseOfTheLinearisedModel) {
   const auto fit = fit_ogden(data, Residual::relative);
   const auto& best = fit.minima[0];
   double a = 0, b = 0, c = 0;
-  for (const auto& [strained, stress, standard_error, source, rows] : data.points) {
+  for (const auto& [strained, stress, standard_error, source, rows, time] : data.points) {
     const double by_mu = nominal_stress(Ogden{1, best.solid.terms[0].alpha}, strained) / stress;
     const double by_alpha =
         (nominal_stress(Ogden{best.solid.terms[0].mu, best.solid.terms[0].alpha + 1e-4}, strained) -

@@ -42,11 +42,11 @@ std::string all(const std::vector<std::string>& sentences) {
 double rise(const CurveData& data, double alpha, double best_alpha) {
   const auto smallest = [&](double at) {
     double product = 0, square = 0, sum = 0;
-    for (const auto& [strained, stress, error, source, rows] : data.points) {
+    for (const auto& [strained, stress, error, source, rows, time] : data.points) {
       const double unit = nominal_stress(Ogden{1, at}, strained) / stress;
       product += unit, square += unit * unit;
     }
-    for (const auto& [strained, stress, error, source, rows] : data.points)
+    for (const auto& [strained, stress, error, source, rows, time] : data.points)
       sum += std::pow(1 - product / square * nominal_stress(Ogden{1, at}, strained) / stress, 2);
     return sum;
   };
@@ -57,12 +57,12 @@ TEST(Uncertainty, TheIntervalOfALinearParameterIsStudentsInterval) {
   const auto data = noisy({.low = 0.9, .high = 1.1}, {.absolute = 100});
   const auto result = of(data, {.model = Model::neo_hooke, .residual = Residual::absolute});
   double product = 0, square = 0, sum = 0;
-  for (const auto& [strained, stress, error, source, rows] : data.points) {
+  for (const auto& [strained, stress, error, source, rows, time] : data.points) {
     const double unit = nominal_stress(Ogden{1, 2}, strained);
     product += unit * stress, square += unit * unit;
   }
   const double mu = product / square;
-  for (const auto& [strained, stress, error, source, rows] : data.points)
+  for (const auto& [strained, stress, error, source, rows, time] : data.points)
     sum += std::pow(stress - mu * nominal_stress(Ogden{1, 2}, strained), 2);
   const int degrees = static_cast<int>(data.points.size()) - 1;
   const double half = student_quantile(0.975, degrees) * std::sqrt(sum / degrees / square);
