@@ -35,6 +35,17 @@ Deformation deformation_named(const std::string& mode) {
   throw refused("mode", in_quotes(mode), deformation_words());
 }
 
+// None where no series is asked for.
+std::optional<RelaxationChoice> relaxation_in(const py::dict& given, const CurveOptions& curve) {
+  const auto text = given["relaxation"].cast<std::string>();
+  if (text.empty()) return std::nullopt;
+  const auto choice = relaxation_choice_of(text);
+  if (!choice) throw refused("relaxation", in_quotes(text), relaxation_words);
+  if (given["bootstrap"].cast<int>() > 0) throw refused("bootstrap", "this beside relaxation", "0");
+  if (curve.loss != Loss::squares) throw refused("loss", word(curve.loss) + " beside relaxation", "squares");
+  return choice;
+}
+
 FitRequest request_of(const py::dict& given) {
   FitRequest request;
   CurveOptions& curve = request.options;
@@ -60,6 +71,7 @@ FitRequest request_of(const py::dict& given) {
   if (!(low > 0 && low <= 1 && high >= 1 && low < high))
     throw refused("stretches", fmt::format("{:g}, {:g}", low, high), "0 < low <= 1 <= high");
   request.stretches = {low, high};
+  request.relaxation = relaxation_in(given, curve);
   UncertaintyOptions& intervals = *request.intervals;
   intervals.level = given["level"].cast<double>();
   if (!(intervals.level > 0 && intervals.level < 1))
@@ -81,12 +93,14 @@ const std::string& mode_of(const std::vector<std::string>& modes, std::size_t i)
 }
 
 CurveData data_of(const Numbers& stretch, const Numbers& stress, const std::vector<std::string>& modes,
-                  const std::optional<Numbers>& error, const std::optional<Numbers>& across, bool cauchy) {
+                  const std::optional<Numbers>& error, const std::optional<Numbers>& across,
+                  const std::optional<Numbers>& time, bool cauchy) {
   const py::ssize_t count = stretch.size();
   check_length("stress", stress.size(), count);
   if (modes.size() != 1) check_length("mode", static_cast<py::ssize_t>(modes.size()), count);
   if (error) check_length("error", error->size(), count);
   if (across) check_length("across", across->size(), count);
+  if (time) check_length("time", time->size(), count);
   CurveData data;
   for (py::ssize_t i = 0; i < count; ++i) {
     const Deformation deformation = deformation_named(mode_of(modes, i));
@@ -105,6 +119,8 @@ CurveData data_of(const Numbers& stretch, const Numbers& stress, const std::vect
       point.nominal_stress = nominal_of_cauchy(given, point.strained);
       if (error) point.standard_error = nominal_of_cauchy(*point.standard_error, point.strained);
     }
+    if (time) point.time = time->data()[i];
+    if (time && !std::isfinite(*point.time)) throw refused(fmt::format("time[{}]", i), "no number", "a time in s");
     data.points.push_back(point);
   }
   data.sources = {{.file = "arrays",
@@ -139,7 +155,10 @@ py::tuple fit(const FitRequest& request, const CurveData& data) {
   FinishedFit found{.data = data, .fit = {}};
   interruptible([&](const std::atomic<bool>& stop) {
     found.fit = fit_curves(data, request.options);
-    if (!stop) found.uncertainty = uncertainty_of(data, found.fit, *request.intervals);
+    if (!stop && request.relaxation)
+      found.relaxation = fit_relaxation(data, found.fit, *request.relaxation, request.intervals);
+    const bool relaxes = found.relaxation && found.relaxation->terms > 0;
+    if (!stop && !relaxes) found.uncertainty = uncertainty_of(data, found.fit, *request.intervals);
   });
   return py::make_tuple(page::written(fit_to_json(request, found, clock.cost())), columns_of(data));
 }
@@ -164,19 +183,28 @@ Numbers stresses(const std::vector<std::pair<double, double>>& terms, const std:
 
 void bind_fit(py::module_& core) {
   core.def("fit", [](const Numbers& stretch, const Numbers& stress, const std::vector<std::string>& modes,
-                     const std::optional<Numbers>& error, const std::optional<Numbers>& across, bool cauchy,
-                     const py::dict& options) {
+                     const std::optional<Numbers>& error, const std::optional<Numbers>& across,
+                     const std::optional<Numbers>& time, bool cauchy, const py::dict& options) {
     FitRequest request = request_of(options);
-    const CurveData data = data_of(stretch, stress, modes, error, across, cauchy);
+    if (time.has_value() != request.relaxation.has_value())
+      throw refused("time", time ? "times without relaxation" : "nothing", "time and relaxation, or neither");
+    const CurveData data = data_of(stretch, stress, modes, error, across, time, cauchy);
     request.files = {data.sources[0].file};
     return fit(request, data);
   });
   core.def("fit_csv", [](const std::vector<std::string>& files, const std::string& mode,
                          const std::map<std::string, std::string>& mode_of, const std::string& x, const std::string& y,
-                         const std::string& error, const std::vector<std::string>& where, const py::dict& options) {
+                         const std::string& error, const std::string& time, const std::vector<std::string>& where,
+                         const py::dict& options) {
     FitRequest request = request_of(options);
     request.files = files;
     request.columns = {.mode = mode, .mode_of = mode_of, .x = x, .y = y, .error = error, .where = where};
+    if (request.relaxation) {
+      request.columns.times = TimesWanted{.column = time};
+      request.columns.rows.holds = Holds::timed;
+    } else if (!time.empty()) {
+      throw refused("time", in_quotes(time) + " without relaxation", "both or neither");
+    }
     return fit(request, read_curves(files, request.columns));
   });
   core.def("nominal_stress", &stresses);

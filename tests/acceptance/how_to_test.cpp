@@ -67,6 +67,15 @@ TEST_F(HowTo, MyOwnCsv) {
   EXPECT_NEAR(power["value"].get<double>(), 0.169, 0.001);
 }
 
+TEST_F(HowTo, RampsAndHolds) {
+  follow("relaxation.md");
+  EXPECT_TRUE(fs::exists(path("across/target.toml")));
+  const auto parameters = result("relaxing.out/result.json")["hypotheses"][0]["parameters"];
+  EXPECT_EQ(parameters[3]["name"], "tau");
+  EXPECT_GT(parameters[3]["value"].get<double>(), 15);
+  EXPECT_LT(parameters[3]["value"].get<double>(), 50);
+}
+
 TEST_F(HowTo, MyOwnParticle) { follow("own_particle.md"); }
 
 TEST_F(HowTo, ManyImpacts) {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "calibrate/gel_job.hpp"
-#include "percal/base/error.hpp"
+#include "calibrate/law_checks.hpp"
 #include "percal/calibrate/kept_model.hpp"
 #include "percal/estimate/intervals.hpp"
 #include "percal/predict/predictor.hpp"
@@ -63,19 +63,8 @@ TEST(Laws, TheModelsDerivativesAreThoseOfItsValues) {
   const JobModel model = finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), mesh_of_laws);
   Eigen::VectorXd at(5);
   for (int k = 0; k < 5; ++k) at[k] = job.parameters[k].free.searched(true_laws[k]);
-  const auto check = [&](const auto& values) {
-    const ModelAnswer here = values(at);
-    for (int k = 0; k < at.size(); ++k) {
-      constexpr double step = 1e-5;
-      Eigen::VectorXd up = at, down = at;
-      up[k] += step;
-      down[k] -= step;
-      const Eigen::VectorXd slope = (values(up).value - values(down).value) / (2 * step);
-      EXPECT_LT((slope - here.jacobian.col(k)).cwiseAbs().maxCoeff(), 1e-5 * (1 + slope.cwiseAbs().maxCoeff())) << k;
-    }
-  };
-  check([&](const Eigen::VectorXd& x) { return model.log_depths(x, job.shots, Want::values); });
-  check([&](const Eigen::VectorXd& x) { return model.stresses(x, Want::values); });
+  test::expect_derivatives([&](const Eigen::VectorXd& x) { return model.log_depths(x, job.shots, Want::values); }, at);
+  test::expect_derivatives([&](const Eigen::VectorXd& x) { return model.stresses(x, Want::values); }, at);
   // Spheres of 1.4 mm diameter below a cell of 2 mm, the others above.
   job.parameters.push_back({ParameterKind::erosion_strain, {.name = "below", .unit = "", .low = 0.3, .high = 1.5}});
   job.materials[0].erosion_strain_below = SharedParameter{5};
@@ -84,7 +73,8 @@ TEST(Laws, TheModelsDerivativesAreThoseOfItsValues) {
       finite_element_model(job, job.hypotheses[0], test::emulator_of_the_smooth_law(), mesh_of_laws);
   at.conservativeResize(6);
   at[5] = std::log(0.5);
-  check([&](const Eigen::VectorXd& x) { return with_cell.log_depths(x, job.shots, Want::values); });
+  test::expect_derivatives([&](const Eigen::VectorXd& x) { return with_cell.log_depths(x, job.shots, Want::values); },
+                           at);
   at.conservativeResize(5);
   // A faster shot meets a stiffer gel.
   const Eigen::VectorXd exponents = model.speed_exponents(at, job.shots);
@@ -175,32 +165,11 @@ class LawsJob : public test::Program {
  protected:
   std::string refusal(const std::string& material, const std::string& curve = "") const {
     write("curve.csv", "stretch,stress_kPa\n1.1,10\n1.2,22\n");
-    try {
-      read_calibration_job(write("job.toml", R"(
-[parameters.mu]
-kind = "modulus"
-low = "50 kPa"
-high = "900 kPa"
-[parameters.m]
+    return test::said_of_job(write("job.toml", test::job_of_a_curve(R"([parameters.m]
 kind = "rate exponent"
 low = -0.1
-high = 0.4
-[materials.gel]
-density = "1010 kg/m3"
-mu = "mu"
-alpha = 8
-erosion_strain = 0.8
-)" + material + R"(
-[[curves]]
-name = "tension"
-material = "gel"
-file = "curve.csv"
-mode = "uniaxial"
-)" + curve));
-    } catch (const BadInput& error) {
-      return error.what();
-    }
-    return "read";
+high = 0.4)",
+                                                                    material, curve)));
   }
 };
 

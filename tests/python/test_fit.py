@@ -114,6 +114,21 @@ class AFit(unittest.TestCase):
         self.assertEqual(ours, of_program)
         self.assertEqual(percal.fit(STRETCH, noisy()).result.keys(), percal.fit_csv(path).result.keys())
 
+    def test_of_muscle_relaxes(self):
+        path = os.path.join(DATA, "public", "vanloocke2008_muscle_rates.csv")
+        fit = percal.fit_csv(path, mode="compression", where="direction=cross-fibre", relaxation="auto")
+        self.assertEqual(fit.relaxation["terms"], 1)
+        self.assertAlmostEqual(fit.relaxation["mu_0_Pa"], 319.2, delta=0.1)
+        self.assertIsNone(percal.fit(STRETCH, noisy()).relaxation)
+
+    def test_of_points_with_times_relaxes(self):
+        time = np.concatenate([np.linspace(0.1, 1, 10), [1.5, 2, 3, 5, 8]])
+        stretch = np.concatenate([np.linspace(1.05, 1.5, 10), np.full(5, 1.5)])
+        left = np.where(time > 1, 0.5 + 0.5 * np.exp(-(time - 1)), 1)
+        fit = percal.fit(stretch, percal.nominal_stress(GEL, stretch) * left, time=time, relaxation=1)
+        self.assertLess(fit.relaxation["mu_inf_Pa"], 0.7 * fit.relaxation["mu_0_Pa"])
+        self.assertEqual(len(fit.relaxation["series"]), 1)
+
 
 class WhatCannotBeUsed(unittest.TestCase):
     def test_is_a_value_error_that_says_what_is_accepted(self):
@@ -124,6 +139,9 @@ class WhatCannotBeUsed(unittest.TestCase):
             (dict(level=2), "level: found 2"),
             (dict(stretches=(2, 3)), "stretches: found 2"),
             (dict(error=[1.0]), "error: found 1 values; accepted: 10"),
+            (dict(relaxation=1), "time: found nothing"),
+            (dict(time=STRETCH), "time: found times without relaxation"),
+            (dict(time=STRETCH, relaxation=4), 'relaxation: found "4"; accepted: 1, 2, 3 or auto'),
         ):
             with self.subTest(arguments), self.assertRaisesRegex(ValueError, said):
                 percal.fit(STRETCH, noisy(), **arguments)

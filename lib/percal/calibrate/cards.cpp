@@ -74,6 +74,10 @@ std::vector<std::string> comments_of(const CalibrationJob& job, const Hypothesis
   if (at.laws.rate_exponent != 0)
     comments.push_back(fmt::format("mu is that at {:.3g} 1/s; it was calibrated to go as the rate to the power {:.3g}",
                                    at.laws.reference_rate, at.laws.rate_exponent));
+  if (!at.laws.relaxation.terms.empty())
+    comments.push_back(
+        fmt::format("mu is the instantaneous modulus of a solid that relaxes to {}, which a card does not say",
+                    format_quantity(at.mu_true * lasting_share(at.laws.relaxation), dimension::pressure)));
   if (at.laws.cell > 0)
     comments.push_back(fmt::format("the erosion strain is that for particles larger than {}; smaller ones have {:.4g}",
                                    format_quantity(at.laws.cell, dimension::length), at.laws.erosion_strain_below));

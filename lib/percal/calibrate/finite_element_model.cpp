@@ -3,6 +3,7 @@
 
 #include "percal/calibrate/job_model.hpp"
 #include "percal/calibrate/shot_problem.hpp"
+#include "percal/fit/relaxation/relaxing_curves.hpp"
 #include "percal/material/homogeneous.hpp"
 
 namespace percal {
@@ -18,6 +19,7 @@ double natural_slope(const FreeParameter& parameter, double natural) { return pa
 struct Places {
   int mu = -1, alpha = -1, erosion_strain = -1, erosion_length = -1, rate_exponent = -1, size_exponent = -1,
       strain_below = -1;
+  std::vector<int> relaxation = {};  // shares of the terms, then times
 };
 
 struct Context {
@@ -25,6 +27,7 @@ struct Context {
   Hypothesis hypothesis;
   JobModel layout;  // parameters and of_job only
   std::vector<Places> places;
+  std::vector<std::vector<RelaxingRow>> histories;  // of each curve; empty where its material does not relax
 
   std::vector<double> natural(const VectorXd& searched) const {
     return natural_values(job, hypothesis, layout.of_job, searched);
@@ -51,6 +54,16 @@ struct Context {
       d(6, p.strain_below) = natural_slope(layout.parameters[p.strain_below], at.laws.erosion_strain_below);
     return d;
   }
+
+  // d(share of each term of relaxation, then ln of each time)/d searched.
+  MatrixXd relaxation_derivative(int material) const {
+    const std::vector<int>& where = places[material].relaxation;
+    MatrixXd d =
+        MatrixXd::Zero(static_cast<Eigen::Index>(where.size()), static_cast<Eigen::Index>(layout.parameters.size()));
+    for (std::size_t k = 0; k < where.size(); ++k)  // shares are searched themselves, times by their logarithms
+      if (where[k] >= 0) d(static_cast<Eigen::Index>(k), where[k]) = 1;
+    return d;
+  }
 };
 
 int place_of(const MaterialNumber& number, const std::vector<int>& of_job) {
@@ -71,7 +84,10 @@ ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, do
     at.push_back(inputs.at);
     const auto by_parameters = [&](std::size_t layer, int material) {
       const MaterialAt there = material_at(context.job, context.hypothesis, material, natural);
-      return MatrixXd(inputs.by_material[layer] * context.derivative(material, there));
+      MatrixXd by = inputs.by_material[layer] * context.derivative(material, there);
+      if (const auto& relaxation = inputs.log_mu_by_relaxation[layer]; relaxation.size() > 0)
+        by += inputs.by_material[layer].col(0) * (relaxation * context.relaxation_derivative(material));
+      return by;
     };
     chain.push_back(by_parameters(0, target.material));
     for (std::size_t k = 0; k < target.covers.size(); ++k)
@@ -116,6 +132,33 @@ StressSlopes stress_and_slope(const Ogden& solid, const PrincipalPair& pair) {
   return {stress, stress * (mean + langevin * (log_i - log_j) / 2)};
 }
 
+// Of a curve of a material that relaxes: Pa, and with respect to everything that is searched.     docs/theory/relaxation.md (5)
+struct RelaxedStresses {
+  VectorXd stress;
+  MatrixXd slope;  // points x parameters
+};
+RelaxedStresses relaxed_stresses(const Context& context, std::size_t index, const MaterialAt& material) {
+  const MeasuredCurve& curve = context.job.curves[index];
+  const PronySeries& series = material.laws.relaxation;
+  std::vector<double> times;
+  for (const PronyTerm& term : series.terms) times.push_back(term.time);
+  const UnitHistory unit = unit_history(context.histories[index], material.alpha, times);
+  const double mu = material.mu_true / curve.rate_factor, lasting = lasting_share(series);
+  const Eigen::Index terms = unit.convolved.cols();
+  VectorXd stress = mu * lasting * unit.elastic, by_alpha = mu * lasting * unit.elastic_by_alpha;
+  MatrixXd by_relaxation(stress.size(), 2 * terms);
+  for (Eigen::Index k = 0; k < terms; ++k) {
+    const double share = series.terms[static_cast<std::size_t>(k)].share;
+    stress += mu * share * unit.convolved.col(k);
+    by_alpha += mu * share * unit.convolved_by_alpha.col(k);
+    by_relaxation.col(k) = mu * (unit.convolved.col(k) - unit.elastic);
+    by_relaxation.col(terms + k) = mu * share * unit.convolved_by_log_time.col(k);
+  }
+  const MatrixXd derivative = context.derivative(curve.material, material);
+  return {stress, stress * derivative.row(0) + by_alpha * derivative.row(1) +
+                      by_relaxation * context.relaxation_derivative(curve.material)};
+}
+
 ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want) {
   const auto natural = context.natural(searched);
   Eigen::Index rows = 0;
@@ -126,7 +169,8 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
   if (want == Want::values_and_covariance) answer.covariance = MatrixXd::Zero(rows, rows);
   Eigen::Index row = 0;
   bool any_common = false;
-  for (const auto& curve : context.job.curves) {
+  for (std::size_t c = 0; c < context.job.curves.size(); ++c) {
+    const MeasuredCurve& curve = context.job.curves[c];
     const MaterialAt material = material_at(context.job, context.hypothesis, curve.material, natural);
     const MatrixXd derivative = context.derivative(curve.material, material);
     const double rate = curve.rate.value_or(material.laws.reference_rate);
@@ -134,7 +178,14 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
     const Ogden solid{material.mu_true * rate_factor(material.laws, rate) / curve.rate_factor, material.alpha};
     const auto scales = stress_scales(curve);
     const Eigen::Index first = row;
-    for (std::size_t k = 0; k < curve.data.points.size(); ++k, ++row) {
+    if (!context.histories[c].empty()) {
+      const RelaxedStresses relaxed = relaxed_stresses(context, c, material);
+      for (std::size_t k = 0; k < scales.size(); ++k, ++row) {
+        answer.value[row] = relaxed.stress[static_cast<Eigen::Index>(k)] / scales[k];
+        answer.jacobian.row(row) = relaxed.slope.row(static_cast<Eigen::Index>(k)) / scales[k];
+      }
+    }
+    for (std::size_t k = 0; context.histories[c].empty() && k < curve.data.points.size(); ++k, ++row) {
       const auto [stress, by_alpha] = stress_and_slope(solid, principal_pair(curve.data.points[k].strained));
       answer.value[row] = stress / scales[k];
       answer.jacobian.row(row) =
@@ -197,6 +248,16 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
          place_of(material.rate_exponent, context->layout.of_job),
          place_of(material.size_exponent, context->layout.of_job),
          place_of(material.erosion_strain_below, context->layout.of_job)});
+  for (std::size_t m = 0; m < job.materials.size(); ++m) {
+    for (const auto& term : job.materials[m].relaxation)
+      context->places[m].relaxation.push_back(place_of(term.share, context->layout.of_job));
+    for (const auto& term : job.materials[m].relaxation)
+      context->places[m].relaxation.push_back(place_of(term.time, context->layout.of_job));
+  }
+  for (const MeasuredCurve& curve : job.curves)
+    context->histories.push_back(job.materials[static_cast<std::size_t>(curve.material)].relaxation.empty()
+                                     ? std::vector<RelaxingRow>{}
+                                     : relaxing_rows(curve.data, histories_of(curve.data)));
   JobModel model = context->layout;  // its functions are still empty
   if (emulator) {
     const auto own = std::make_shared<const Emulator>(std::move(*emulator));

@@ -20,6 +20,7 @@ constexpr double no_influence = 0.05;      // of a depth on a modulus, per cent 
 
 std::string value_of(const FreeParameter& parameter, double natural) {
   if (parameter.unit == "m") return page::length(natural, 3);
+  if (parameter.unit == "s") return page::quantity(natural, dimension::time, 3);
   return parameter.unit == "Pa" ? page::pressure(natural, 3) : page::shown(natural, 3);
 }
 
@@ -85,6 +86,17 @@ void laws_over_the_shots(const CalibrationJob& job, const HypothesisResult& resu
                         job.materials[m].name, at.laws.reference_rate, at.laws.rate_exponent, slow, fast,
                         page::pressure(at.mu_true * rate_factor(at.laws, slow)),
                         page::pressure(at.mu_true * rate_factor(at.laws, fast))));
+    }
+    if (!at.laws.relaxation.terms.empty()) {
+      const auto [slow, fast] = of_shots([](const MeasuredShot& shot) { return shot.speed / shot.radius; });
+      const std::string long_term = page::pressure(at.mu_true * lasting_share(at.laws.relaxation));
+      sentences.push_back(
+          fmt::format("mu of {} is the instantaneous modulus, {} true, and relaxes to {}", job.materials[m].name,
+                      page::pressure(at.mu_true), long_term) +
+          (fast > 0 ? fmt::format("; over its shots, {:.3g} to {:.3g} 1/s (speed over radius), {} to {} is met.", slow,
+                                  fast, page::pressure(at.mu_true * rate_factor(at.laws, slow)),
+                                  page::pressure(at.mu_true * rate_factor(at.laws, fast)))
+                    : "."));
     }
     if (at.laws.cell > 0) {
       const auto below = std::ranges::count_if(job.shots, [&](const MeasuredShot& shot) {

@@ -15,8 +15,18 @@
 
 namespace percal {
 
-// mu as given (Pa), alpha, erosion strain, the length over which erosion is judged (m), the exponents of MaterialLaws
-enum class ParameterKind { modulus, exponent, erosion_strain, erosion_length, rate_exponent, size_exponent };
+// mu as given (Pa), alpha, erosion strain, the length over which erosion is judged (m), the exponents of MaterialLaws, a term of its
+// relaxation: share and time (s)
+enum class ParameterKind {
+  modulus,
+  exponent,
+  erosion_strain,
+  erosion_length,
+  rate_exponent,
+  size_exponent,
+  relaxation_share,
+  relaxation_time
+};
 
 struct CalibrationParameter {
   ParameterKind kind = ParameterKind::modulus;
@@ -29,6 +39,11 @@ struct SharedParameter {
 };
 using MaterialNumber = std::variant<double, SharedParameter>;
 
+// A term of a Prony series.
+struct MaterialRelaxation {
+  MaterialNumber share, time;
+};
+
 struct CalibrationMaterial {
   std::string name;
   double density = 0;  // kg/m3
@@ -36,6 +51,7 @@ struct CalibrationMaterial {
   std::optional<MaterialNumber> erosion_length = {};  // all materials of a job have one, or none has
   MaterialNumber rate_exponent = 0.0, size_exponent = 0.0;
   double reference_rate = 1, reference_radius = 1;  // 1/s, m: mu and erosion_strain are of these where they have laws
+  std::vector<MaterialRelaxation> relaxation = {};  // mu is then the instantaneous one; no rate_exponent beside it
   MaterialNumber erosion_strain_below = 0.0;        // for spheres of a diameter below `cell`
   double cell = 0;                                  // m; 0: none
   std::optional<double>
@@ -99,7 +115,8 @@ struct ShotSet {
   bool leave_one_out = false;  // of its shots, those used and not used alike: each from the others' fit
 };
 
-// Stress-stretch points of a material. The curve's modulus is mu / rate_factor, at the curve's rate where the material has a law of it.
+// Stress-stretch points of a material. The curve's modulus is mu / rate_factor, at the curve's rate where the material has a law of it;
+// where the material relaxes, its points have times and its stress is that of their history.
 struct MeasuredCurve {
   std::string name;
   int material = 0;

@@ -36,6 +36,8 @@ MaterialAt material_at(const CalibrationJob& job, const Hypothesis& hypothesis, 
              .reference_radius = m.reference_radius,
              .cell = m.cell,
              .erosion_strain_below = number_at(m.erosion_strain_below, natural)};
+  for (const auto& [share, time] : m.relaxation)
+    at.laws.relaxation.terms.push_back({number_at(share, natural), number_at(time, natural)});
   at.mu_true = true_modulus(at.mu_as_given, at.alpha, hypothesis.convention);
   return at;
 }

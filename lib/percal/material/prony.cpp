@@ -21,6 +21,20 @@ double lasting_share(const PronySeries& series) {
   return share;
 }
 
+ShareSlopes share_slopes(const PronySeries& series, double time) {
+  const double left = share_left(series, time);
+  const auto count = static_cast<Eigen::Index>(series.terms.size());
+  ShareSlopes slopes{Eigen::RowVectorXd(2 * count)};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto& [share, relaxation_time] = series.terms[static_cast<std::size_t>(k)];
+    const double x = time / relaxation_time, moving = share * x * std::exp(-x) / left;
+    slopes.by_parameter[k] = std::expm1(-x) / left;
+    slopes.by_parameter[count + k] = moving;
+    slopes.by_log_elapsed -= moving;
+  }
+  return slopes;
+}
+
 HereditaryStep hereditary_step(double elapsed, double time) {
   const double x = elapsed / time, decay = std::exp(-x);
   if (x < short_step) return {decay, 1 - x / 2 + x * x / 6, x * decay, x / 2 - x * x / 3};

@@ -104,15 +104,32 @@ TrainingRun run_of(const Json& json, int inputs) {
   return run;
 }
 
-constexpr std::size_t numbers_of_point = 7;  // the fourth, an erosion length, may be null
+constexpr std::size_t numbers_of_point =
+    7;  // the fourth, an erosion length, may be null; two more for each term of relaxation
 
 Json point_to_json(const LayerMaterial& point) {
-  return Json::array({point.mu_true, point.alpha, point.erosion_strain, page::finite(point.erosion_length),
-                      point.laws.rate_exponent, point.laws.size_exponent, point.laws.erosion_strain_below});
+  Json numbers = Json::array({point.mu_true, point.alpha, point.erosion_strain, page::finite(point.erosion_length),
+                              point.laws.rate_exponent, point.laws.size_exponent, point.laws.erosion_strain_below});
+  for (const PronyTerm& term : point.laws.relaxation.terms) numbers.insert(numbers.end(), {term.share, term.time});
+  return numbers;
+}
+
+// What stands behind the other numbers of a point.
+PronySeries relaxation_of(const Json& numbers) {
+  PronySeries series;
+  if ((numbers.size() - numbers_of_point) % 2 != 0 || numbers.size() > numbers_of_point + 2 * most_relaxation_terms)
+    throw page::MissingKey("points");
+  for (std::size_t k = numbers_of_point; k < numbers.size(); k += 2) {
+    const auto share = page::number(numbers[k]), time = page::number(numbers[k + 1]);
+    if (!share || !time || !(*share >= 0 && *time > 0)) throw page::MissingKey("points");
+    series.terms.push_back({*share, *time});
+  }
+  if (!series.terms.empty() && !(lasting_share(series) > 0)) throw page::MissingKey("points");
+  return series;
 }
 
 LayerMaterial point_of(const Json& json, LayerMaterial point) {
-  if (!json.is_array() || json.size() != numbers_of_point) throw page::MissingKey("points");
+  if (!json.is_array() || json.size() < numbers_of_point) throw page::MissingKey("points");
   const Json without_length = {json[0], json[1], json[2], json[4], json[5], json[6]};
   const auto row = row_of(without_length, numbers_of_point - 1, "points");
   point.mu_true = row[0];
@@ -122,6 +139,7 @@ LayerMaterial point_of(const Json& json, LayerMaterial point) {
   point.laws.rate_exponent = row[3];
   point.laws.size_exponent = row[4];
   point.laws.erosion_strain_below = row[5];
+  point.laws.relaxation = relaxation_of(json);
   if (!(point.mu_true > 0 && point.erosion_strain > 0 && point.erosion_length.value_or(1) > 0))
     throw page::MissingKey("points");
   return point;

@@ -37,6 +37,18 @@ Eigen::Matrix<double, met_numbers, 7> met_by_material(const LayerMaterial& of_re
   return slopes;
 }
 
+// d ln(modulus met)/d ln v: by a power of the rate, or by how fast it relaxes at a/v.
+double rate_slope(const MaterialLaws& laws, const SphereShot& shot) {
+  if (laws.relaxation.terms.empty()) return laws.rate_exponent;
+  return -share_slopes(laws.relaxation, shot.radius / shot.speed).by_log_elapsed;
+}
+
+// As ShotInputs has them.                                                                             (3d)
+Eigen::RowVectorXd relaxation_slopes(const MaterialLaws& laws, const SphereShot& shot) {
+  if (laws.relaxation.terms.empty()) return {};
+  return share_slopes(laws.relaxation, shot.radius / shot.speed).by_parameter;
+}
+
 // The scene's layer goes below its covers, what they leave of its depth.
 void lay_covers_on(Scene& scene, const SphereShot& shot, const std::vector<Cover>& covers) {
   scene.below.clear();
@@ -73,6 +85,7 @@ double mesh_of(const SphereShot& shot, const LayerMaterial& material, double ele
 }
 
 double rate_factor(const MaterialLaws& laws, double rate) {
+  if (!laws.relaxation.terms.empty()) return share_left(laws.relaxation, 1 / rate);
   return laws.rate_exponent == 0 ? 1 : std::pow(rate / laws.reference_rate, laws.rate_exponent);
 }
 
@@ -126,8 +139,9 @@ ShotInputs shot_inputs(const SphereShot& shot, const CoveredMaterial& of_referen
   by_layer(index_of(&SphereInputs::log_bulk_ratio), met_log_mu) = -slope;
   by_layer(index_of(&SphereInputs::alpha), met_alpha) = 1;
   by_layer(index_of(&SphereInputs::erosion_strain), met_strain) = 1;
-  inputs.by_log_speed = -(2 - of_reference.laws.rate_exponent) * by_layer.col(met_log_mu);
+  inputs.by_log_speed = -(2 - rate_slope(of_reference.laws, shot)) * by_layer.col(met_log_mu);
   inputs.by_material.resize(1 + of_reference.covers.size());
+  inputs.log_mu_by_relaxation.push_back(relaxation_slopes(of_reference.laws, shot));
   for (std::size_t k = 0; k < of_reference.covers.size(); ++k) {
     const auto& [cover, thickness] = of_reference.covers[k];
     const LayerMaterial met = at_shot(cover, shot);
@@ -143,8 +157,9 @@ ShotInputs shot_inputs(const SphereShot& shot, const CoveredMaterial& of_referen
     by_cover(index_of(members.alpha), met_alpha) = 1;
     by_cover(index_of(members.strain), met_strain) = 1;
     by_layer(index_of(members.log_mu), met_log_mu) = -1;
-    inputs.by_log_speed[index_of(members.log_mu)] = cover.laws.rate_exponent - of_reference.laws.rate_exponent;
+    inputs.by_log_speed[index_of(members.log_mu)] = rate_slope(cover.laws, shot) - rate_slope(of_reference.laws, shot);
     inputs.by_material[k + 1] = by_cover * met_by_material(cover, shot);
+    inputs.log_mu_by_relaxation.push_back(relaxation_slopes(cover.laws, shot));
   }
   inputs.by_material[0] = by_layer * met_by_material(of_reference, shot);
   if (in_radii) inputs.by_material[0](index_of(&SphereInputs::log_erosion_length), by_log_length) = 1;

@@ -22,12 +22,14 @@ struct SphereShot {
 // "3.18 mm at 83 m/s".
 std::string words_of(const SphereShot& shot);
 
-// How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, the erosion strain by one of the radius, or
-// by whether the sphere is smaller than a cell. Exponents and a cell of 0: they do not.     docs/theory/calibration.md (3a) to (3c)
+// How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, or by what has relaxed of it in a/v; the
+// erosion strain by a power of the radius, or by whether the sphere is smaller than a cell. Exponents and a cell of 0, a series without
+// terms: they do not.                                                                        docs/theory/calibration.md (3a) to (3d)
 struct MaterialLaws {
   double rate_exponent = 0, reference_rate = 1;    // 1/s
   double size_exponent = 0, reference_radius = 1;  // m
   double cell = 0, erosion_strain_below = 0;       // m: spheres of a smaller diameter erode it at this strain
+  PronySeries relaxation = {};                     // s; the modulus is then the instantaneous one
 };
 inline bool is_below_cell(const MaterialLaws& laws, double radius) { return 2 * radius < laws.cell; }
 
@@ -53,7 +55,7 @@ struct CoveredMaterial : LayerMaterial {
   std::vector<Cover> covers;
 };
 
-// Over the modulus at the reference rate, over the erosion strain at the reference radius.
+// Over the modulus at the reference rate (of one that relaxes: the instantaneous one), over the erosion strain at the reference radius.
 double rate_factor(const MaterialLaws& laws, double rate);
 double size_factor(const MaterialLaws& laws, double radius);
 // What the shot meets: the laws applied, and gone.
@@ -75,6 +77,9 @@ struct ShotInputs {
   using ByMaterial = Eigen::Matrix<double, sphere_inputs, 7>;
   std::vector<ByMaterial> by_material;
   Eigen::Vector<double, sphere_inputs> by_log_speed;
+  // Of the layer, then of each cover: d ln(modulus met) / d(the share of each term of relaxation, then ln of each time); empty where it
+  // does not relax
+  std::vector<Eigen::RowVectorXd> log_mu_by_relaxation = {};
 };
 ShotInputs shot_inputs(const SphereShot& shot, const CoveredMaterial& material);
 

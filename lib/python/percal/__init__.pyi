@@ -71,6 +71,8 @@ def fit(
     stretches: tuple[float, float] = (0.1, 10.0),
     level: float = 0.95,
     bootstrap: int = 0,
+    time: ArrayLike | None = None,
+    relaxation: int | str | None = None,
 ) -> Fit: ...
 def fit_csv(
     path: _Path | Sequence[_Path],
@@ -88,6 +90,8 @@ def fit_csv(
     stretches: tuple[float, float] = (0.1, 10.0),
     level: float = 0.95,
     bootstrap: int = 0,
+    time: str = "",
+    relaxation: int | str | None = None,
 ) -> Fit: ...
 def nominal_stress(
     terms: Sequence[tuple[float, float]], stretch: ArrayLike, mode: str = "uniaxial", across: ArrayLike | None = None

@@ -86,6 +86,13 @@ class Fit(Paged):
         return {key.removesuffix("_Pa"): interval_of(about["parameters"][key]) for key in about["order"]}
 
     @property
+    def relaxation(self):
+        """The block `relaxation` of the result, docs/formats/fit.md: "mu_0_Pa", "mu_inf_Pa", "alpha", "series" and their "uncertainty"; None
+        where no series was asked for, or where the data ask for none. mu, alpha and minima are then of the solid that knows no time."""
+        found = self.result["relaxation"]
+        return found if found and found["terms"] > 0 else None
+
+    @property
     def covariance(self):
         """Of (mu in Pa, alpha), term after term, linearised about the best minimum: nan where the points tell nothing."""
         if not self.minima:
@@ -157,7 +164,7 @@ class Fit(Paged):
         return f"Fit({self.model}, {len(self.stretch)} points: {', '.join(parts)}{level}{r2})"
 
 
-def _options(model, residual, weights, loss, unconstrained, stretches, level, bootstrap):
+def _options(model, residual, weights, loss, unconstrained, stretches, level, bootstrap, relaxation):
     return {
         "model": model,
         "residual": residual,
@@ -167,6 +174,7 @@ def _options(model, residual, weights, loss, unconstrained, stretches, level, bo
         "stretches": stretches,
         "level": level,
         "bootstrap": bootstrap,
+        "relaxation": "" if relaxation is None else str(relaxation),
     }
 
 
@@ -186,6 +194,8 @@ def fit(
     stretches=(0.1, 10.0),
     level=0.95,
     bootstrap=0,
+    time=None,
+    relaxation=None,
 ):
     """A solid from stress-stretch points, every minimum there is.
 
@@ -196,13 +206,14 @@ def fit(
     residual: relative, absolute, or error (with `error`, standard errors of the stresses in Pa).
     weights: points, tests, or {test: share}; loss: squares, huber, cauchy; unconstrained: single moduli may be negative.
     stretches: the range in which stability is looked at; level: of the intervals; bootstrap: replicates, 0 for none.
+    relaxation: 1, 2, 3 terms of a Prony series or "auto", over the whole history of stress; time: of each point, in s.
 
     >>> fit = percal.fit([1.1, 1.2, 1.3, 1.4], [10e3, 19e3, 27e3, 36e3])
     >>> fit.mu, fit.alpha, fit.r2
     """
     modes = [mode] if isinstance(mode, str) else [str(one) for one in mode]
-    options = _options(model, residual, weights, loss, unconstrained, tuple(stretches), level, bootstrap)
-    result, points = _core.fit(stretch, stress, modes, error, across, cauchy, options)
+    options = _options(model, residual, weights, loss, unconstrained, tuple(stretches), level, bootstrap, relaxation)
+    result, points = _core.fit(stretch, stress, modes, error, across, time, cauchy, options)
     return Fit(json.loads(result), points)
 
 
@@ -222,17 +233,20 @@ def fit_csv(
     stretches=(0.1, 10.0),
     level=0.95,
     bootstrap=0,
+    time="",
+    relaxation=None,
 ):
     """As fit(), from one CSV file or a list of them, with units in the headers (stress_kPa).
 
     mode: for files without a mode column, or one of words that nobody knows; {file: mode} where they differ; x, y, error: columns, found by their names where left out;
+    time: the column of time beside `relaxation`, found by its name where left out;
     where: "COLUMN=VALUE", "COLUMN<NUMBER" (also !=, <=, >, >=) or a list of such, the rows to keep.
     """
     files = [path] if isinstance(path, (str, os.PathLike)) else list(path)
     conditions = [where] if isinstance(where, str) else list(where)
-    options = _options(model, residual, weights, loss, unconstrained, tuple(stretches), level, bootstrap)
+    options = _options(model, residual, weights, loss, unconstrained, tuple(stretches), level, bootstrap, relaxation)
     of_all, of_file = (mode, {}) if isinstance(mode, str) else ("", {os.fspath(file): word for file, word in mode.items()})
-    result, points = _core.fit_csv([os.fspath(file) for file in files], of_all, of_file, x, y, error, conditions, options)
+    result, points = _core.fit_csv([os.fspath(file) for file in files], of_all, of_file, x, y, error, time, conditions, options)
     return Fit(json.loads(result), points)
 
 

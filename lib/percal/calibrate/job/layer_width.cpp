@@ -23,6 +23,14 @@ Bounds bounds_of(const CalibrationJob& job, const Hypothesis& hypothesis, const 
   return {free.low, free.high};
 }
 
+// The largest shares and the shortest times that the hypothesis allows.
+PronySeries most_relaxed(const CalibrationJob& job, const Hypothesis& hypothesis, const CalibrationMaterial& material) {
+  PronySeries series;
+  for (const auto& [share, time] : material.relaxation)
+    series.terms.push_back({bounds_of(job, hypothesis, share).high, bounds_of(job, hypothesis, time).low});
+  return series;
+}
+
 // Pa: the softest that any hypothesis lets a material be at a shot's rate.
 double softest(const CalibrationJob& job, const CalibrationMaterial& material, const SphereShot& shot) {
   double softest = INFINITY;
@@ -34,9 +42,10 @@ double softest(const CalibrationJob& job, const CalibrationMaterial& material, c
         if (!(mu_true > 0)) continue;
         const Bounds rate = bounds_of(job, hypothesis, material.rate_exponent);
         for (const double exponent : {rate.low, rate.high})
-          softest = std::min(
-              softest, mu_true * rate_factor({.rate_exponent = exponent, .reference_rate = material.reference_rate},
-                                             shot.speed / shot.radius));
+          softest = std::min(softest, mu_true * rate_factor({.rate_exponent = exponent,
+                                                             .reference_rate = material.reference_rate,
+                                                             .relaxation = most_relaxed(job, hypothesis, material)},
+                                                            shot.speed / shot.radius));
       }
   }
   return softest;

@@ -43,13 +43,26 @@ RowChoice rows_from(const TomlTable& block) {
   return rows;
 }
 
+// When the rows of a curve of a material that relaxes were measured: a column, or ramps at the curve's rate.
+TimesWanted times_from(const TomlTable& block, RowChoice& rows) {
+  for (const char* key : {"branch", "until", "without"})
+    if (block.has(key)) block.refuse(key, "this of a curve whose material relaxes", "whole histories of stress");
+  rows.holds = Holds::timed;
+  return {.column = block.text("time", ""), .rate = block.optional_quantity("rate", dimension::rate, positive("rate"))};
+}
+
 // The command's own messages speak of its options; here the keys are checked first.
-CurveColumns columns_from(const TomlTable& block, const CsvTable& table) {
+CurveColumns columns_from(const TomlTable& block, const CsvTable& table, const CalibrationMaterial& material) {
   CurveColumns columns;
   for (const auto& [key, column] : {std::pair{"x", &columns.x}, std::pair{"y", &columns.y}})
     if (block.has(key)) *column = table.columns[column_index(block, key, table)].header;
   columns.specimen = specimen_from(block);
   columns.rows = rows_from(block);
+  block.describe("time", {.kind = "text", .accepted = "a column", .fallback = ""});
+  if (material.relaxation.empty() && block.has("time"))
+    block.refuse("time", "this of a material that does not relax", "[[materials.NAME.relaxation]], or no time");
+  block.knows("time");
+  if (!material.relaxation.empty()) columns.times = times_from(block, columns.rows);
   columns.mode = block.text("mode", "");
   const bool mode_column = table.find("mode").has_value();
   if (block.has("mode") && mode_column)
@@ -64,9 +77,10 @@ CurveColumns columns_from(const TomlTable& block, const CsvTable& table) {
 
 MeasuredCurve curve_from(const TomlTable& block, CalibrationJob& job) {
   const CsvTable table = table_of(block);
+  const int material = material_index(block, job);
   MeasuredCurve curve{.name = block.text("name"),
-                      .material = material_index(block, job),
-                      .data = curves_of(table, columns_from(block, table)),
+                      .material = material,
+                      .data = curves_of(table, columns_from(block, table, job.materials[material])),
                       .relative_error = share_from(block, "error", not_negative("share"), 0),
                       .rate_factor = block.number("rate_factor", positive("factor"), 1),
                       .rate_factor_error = share_from(block, "rate_factor_error", not_negative("share"), 0),

@@ -151,6 +151,10 @@ void add_index(std::set<int>& indices, const MaterialNumber& number) {
   if (const auto* shared = std::get_if<SharedParameter>(&number)) indices.insert(shared->index);
 }
 
+void add_relaxation(std::set<int>& indices, const CalibrationMaterial& material) {
+  for (const auto& [share, time] : material.relaxation) add_index(indices, share), add_index(indices, time);
+}
+
 std::set<int> parameters_of(const CalibrationMaterial& material) {
   std::set<int> indices;
   for (const MaterialNumber* number : {&material.mu, &material.alpha, &material.erosion_strain})
@@ -159,6 +163,7 @@ std::set<int> parameters_of(const CalibrationMaterial& material) {
   add_index(indices, material.rate_exponent);
   add_index(indices, material.size_exponent);
   add_index(indices, material.erosion_strain_below);
+  add_relaxation(indices, material);
   return indices;
 }
 
@@ -172,6 +177,7 @@ std::set<int> parameters_with_data(const CalibrationJob& job) {
     add_index(indices, job.materials[curve.material].mu);
     add_index(indices, job.materials[curve.material].alpha);
     add_index(indices, job.materials[curve.material].rate_exponent);
+    add_relaxation(indices, job.materials[curve.material]);
   }
   return indices;
 }
@@ -185,7 +191,8 @@ void check_parameters(const TomlTable& root, const CalibrationJob& job) {
     if (!named.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no material names",
-                  "one that is mu, alpha, erosion_strain, erosion_length or a law's exponent of some material");
+                  "one that is mu, alpha, erosion_strain, erosion_length, a law's exponent or a term of relaxation of "
+                  "some material");
     if (!with_data.contains(static_cast<int>(k)))
       root.table("parameters")
           .refuse(name, "a parameter that no fitted datum depends on",

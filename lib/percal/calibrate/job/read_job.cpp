@@ -53,9 +53,10 @@ const Range elements_in_length{.low = 1 / largest_element_in_length,
                                .high = 1000,
                                .words = "a number from 3 to 1000, of elements in the erosion length"};
 
-const std::vector<std::string> kind_words{"modulus",        "exponent",      "erosion strain",
-                                          "erosion length", "rate exponent", "size exponent"};  // as ParameterKind
-constexpr double smallest_exponent = 1e-3;  // the solver divides by it
+const std::vector<std::string> kind_words{"modulus",          "exponent",       "erosion strain",
+                                          "erosion length",   "rate exponent",  "size exponent",
+                                          "relaxation share", "relaxation time"};  // as ParameterKind
+constexpr double smallest_exponent = 1e-3;                                         // the solver divides by it
 
 Range range_of(ParameterKind kind) {
   if (kind == ParameterKind::modulus) return positive("modulus");
@@ -64,6 +65,9 @@ Range range_of(ParameterKind kind) {
   if (kind == ParameterKind::rate_exponent) return {.low = -1, .high = 1, .words = "a power of the rate from -1 to 1"};
   if (kind == ParameterKind::size_exponent)
     return {.low = -2, .high = 2, .words = "a power of the radius from -2 to 2"};
+  if (kind == ParameterKind::relaxation_share)
+    return {.low = 0, .high = 1, .high_open = true, .words = "a share of the modulus from 0 to below 1"};
+  if (kind == ParameterKind::relaxation_time) return positive("time");
   return {.low = -100, .high = 100, .words = "an exponent from -100 to 100"};
 }
 
@@ -97,9 +101,12 @@ CalibrationParameter parameter_from(const TomlTable& block, const std::string& n
   const ParameterKind kind = parameter.kind;
   FreeParameter& free = parameter.free;
   free.name = name;
-  free.unit = kind == ParameterKind::modulus ? "Pa" : kind == ParameterKind::erosion_length ? "m" : "";
-  free.logarithmic =
-      kind == ParameterKind::modulus || kind == ParameterKind::erosion_strain || kind == ParameterKind::erosion_length;
+  free.unit = kind == ParameterKind::modulus           ? "Pa"
+              : kind == ParameterKind::erosion_length  ? "m"
+              : kind == ParameterKind::relaxation_time ? "s"
+                                                       : "";
+  free.logarithmic = kind == ParameterKind::modulus || kind == ParameterKind::erosion_strain ||
+                     kind == ParameterKind::erosion_length || kind == ParameterKind::relaxation_time;
   free.low = block.quantity("low", dimension_of(kind), range_of(kind));
   free.high = block.quantity("high", dimension_of(kind), range_of(kind));
   check_bounds(block, kind, free);
@@ -191,6 +198,30 @@ void read_law(const TomlTable& block, const LawKeys& keys, ParameterKind kind, c
   reference = *given;
 }
 
+double highest_of(const MaterialNumber& number, const CalibrationJob& job) {
+  if (const auto* shared = std::get_if<SharedParameter>(&number)) return job.parameters[shared->index].free.high;
+  return std::get<double>(number);
+}
+
+// [[materials.NAME.relaxation]]; its shares must not be able to take the whole modulus.
+std::vector<MaterialRelaxation> relaxation_from(const TomlTable& block, const CalibrationJob& job) {
+  std::vector<MaterialRelaxation> terms;
+  double highest = 0;
+  for (const TomlTable& term : block.tables("relaxation")) {
+    terms.push_back({number_from(term, "share", job, ParameterKind::relaxation_share),
+                     number_from(term, "time", job, ParameterKind::relaxation_time)});
+    highest += highest_of(terms.back().share, job);
+  }
+  if (terms.size() > most_relaxation_terms)
+    block.refuse("relaxation", fmt::format("{} terms", terms.size()), "up to 3 terms");
+  if (highest >= 1)
+    block.refuse("relaxation", fmt::format("shares that may add up to {:.4g}", highest),
+                 "shares, or highest values of their parameters, that add up to less than 1");
+  if (!terms.empty() && block.has("rate_exponent"))
+    block.refuse("relaxation", "this beside rate_exponent", "one law of the rate");
+  return terms;
+}
+
 CalibrationMaterial material_from(const TomlTable& block, const std::string& name, const CalibrationJob& job) {
   CalibrationMaterial material{
       .name = name,
@@ -208,6 +239,7 @@ CalibrationMaterial material_from(const TomlTable& block, const std::string& nam
            material.size_exponent, material.reference_radius);
   read_law(block, {"erosion_strain_below", "cell"}, ParameterKind::erosion_strain, dimension::length, job,
            material.erosion_strain_below, material.cell);
+  material.relaxation = relaxation_from(block, job);
   if (!material.rate_factor && block.has("rate_factor_error"))
     block.refuse("rate_factor", "no such key beside rate_factor_error", "the factor");
   return material;
@@ -265,6 +297,7 @@ std::optional<double> optional_share_from(const TomlTable& block, const std::str
 
 Dimension dimension_of(ParameterKind kind) {
   if (kind == ParameterKind::erosion_length) return dimension::length;
+  if (kind == ParameterKind::relaxation_time) return dimension::time;
   return kind == ParameterKind::modulus ? dimension::pressure : dimension::none;
 }
 

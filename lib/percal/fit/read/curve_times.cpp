@@ -13,7 +13,7 @@ namespace percal {
 namespace {
 
 constexpr const char* how_times_are_said =
-    "a column of time (time_s, t [ms]), its name with --time, or --rate with the rate of stretch";
+    "a column of time (time_s, t [ms]), its name as time, or the rate of stretch where nothing is held";
 
 bool names_time(const std::string& name) {
   return name == "t" || name == "time" || name.starts_with("time_") || name.ends_with("_time");
@@ -33,7 +33,7 @@ std::optional<int> time_column(const CsvTable& table, const TimesWanted& wanted,
       found.push_back(c);
   if (found.size() > 1)
     throw BadInput({table.file, table.header_line, ""}, "several columns of time: " + headers_of(table, found),
-                   "one of them, chosen with --time");
+                   "one of them, named as time");
   return found.empty() ? std::nullopt : std::optional(found[0]);
 }
 
@@ -47,13 +47,13 @@ void refuse_what_a_rate_cannot_tell(const CurveData& data, const CsvTable& table
   for (const Followed& test : followed(data.points)) {
     for (const Branch& branch : branches_of(test))
       if (branch.anew)
-        throw BadInput({table.file, table.rows[test.points[branch.begin].row].line, "--rate"},
-                       "a second curve from here on", "one curve a file, or --where to choose its rows");
+        throw BadInput({table.file, table.rows[test.points[branch.begin].row].line, "rate"},
+                       "a second curve from here on", "one curve a file, or its rows chosen with where");
     for (const HeldRows& held : holds_of(test))
-      throw BadInput({table.file, table.rows[test.points[held.begin].row].line, "--rate"},
+      throw BadInput({table.file, table.rows[test.points[held.begin].row].line, "rate"},
                      fmt::format("a stretch that is held over {} rows, of whose times a rate says nothing",
                                  held.end - held.begin + 1),
-                     "a column of time (time_s), or --where to leave the hold out");
+                     "a column of time (time_s), or a choice of rows (where) without the hold");
   }
 }
 
@@ -82,7 +82,7 @@ void read_times(CurveData& data, const CsvTable& table, const TimesWanted& wante
   if (column && rate)
     throw BadInput(
         header,
-        "--rate beside the column of time " + in_quotes(table.columns[static_cast<std::size_t>(*column)].header),
+        "a rate beside the column of time " + in_quotes(table.columns[static_cast<std::size_t>(*column)].header),
         "one of them: the column has the times already");
   if (column) {
     const std::vector<double> times = table.numbers(*column, dimension::time);
