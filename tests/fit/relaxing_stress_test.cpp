@@ -147,13 +147,13 @@ TEST(Histories, LongLogsAreAveragedInTimeAndNotOverTheirStretch) {
   data.sources.push_back({.file = "long.csv", .x = "", .y = ""});
   add_test(data, {.rate = 0.1, .ramp_rows = 5000, .hold_rows = 5000});
   thin(data);
-  EXPECT_GT(data.points.size(), 1990u);
+  EXPECT_GT(data.points.size(), 1600u);  // six rows a point
   EXPECT_LE(data.points.size(), 2010u);
   EXPECT_EQ(histories_of(data).size(), 1u);
   int rows = 0, held = 0;
   for (const StressPoint& point : data.points) rows += point.rows, held += point.strained.amount == 0.7;
   EXPECT_EQ(rows, 10001);
-  EXPECT_GT(held, 900);
+  EXPECT_GT(held, 800);
   EXPECT_THAT(data.sources[0].warnings[0], HasSubstr("10001 rows are averaged"));
 }
 

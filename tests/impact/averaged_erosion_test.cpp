@@ -66,7 +66,7 @@ struct Judged {
   double around(int column, int row) const { return average.average_around(specimen.block, column, row); }
 
   Problem p;
-  Specimen<double> specimen;
+  StrainedTarget<double> specimen;
   AveragedErosion<double> average;
 };
 

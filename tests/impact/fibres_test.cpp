@@ -39,15 +39,15 @@ TEST(Fibres, UniaxialEquibiaxialAndPlanarStatesAreTheClosedForms) {
     // Along r: 1/sqrt(l) across. Along z. Equibiaxial in the plane. Planar: r against z, the hoop held.
     const struct {
       scalar::Gradient<double> F;
-      double invariant, change;            // of kappa (C_r + C_hoop) + (1 - 2 kappa) C_z by l
-      double rate_r, rate_z, rate_hoop;    // of the stretches by l
+      double invariant, change;          // of kappa (C_r + C_hoop) + (1 - 2 kappa) C_z by l
+      double rate_r, rate_z, rate_hoop;  // of the stretches by l
     } states[] = {
         {principal(l, 1 / std::sqrt(l), 1 / std::sqrt(l)), k * (l * l + 1 / l) + through / l,
          k * (2 * l - 1 / (l * l)) - through / (l * l), 1, -0.5 * std::pow(l, -1.5), -0.5 * std::pow(l, -1.5)},
-        {principal(1 / std::sqrt(l), l, 1 / std::sqrt(l)), 2 * k / l + through * l * l, -2 * k / (l * l) + 2 * through * l,
-         -0.5 * std::pow(l, -1.5), 1, -0.5 * std::pow(l, -1.5)},
-        {principal(l, 1 / (l * l), l), 2 * k * l * l + through * std::pow(l, -4), 4 * k * l - 4 * through * std::pow(l, -5), 1,
-         -2 * std::pow(l, -3), 1},
+        {principal(1 / std::sqrt(l), l, 1 / std::sqrt(l)), 2 * k / l + through * l * l,
+         -2 * k / (l * l) + 2 * through * l, -0.5 * std::pow(l, -1.5), 1, -0.5 * std::pow(l, -1.5)},
+        {principal(l, 1 / (l * l), l), 2 * k * l * l + through * std::pow(l, -4),
+         4 * k * l - 4 * through * std::pow(l, -5), 1, -2 * std::pow(l, -3), 1},
         {principal(l, 1 / l, 1), k * (l * l + 1) + through / (l * l), 2 * k * l - 2 * through * std::pow(l, -3), 1,
          -1 / (l * l), 0}};
     for (const auto& state : states) {
@@ -113,7 +113,7 @@ void has_the_stress_of_its_solid(double tolerance) {
   Problem p = fibrous(specimen_problem());
   p.below = {{.depth = 5, .mu = p.mu(), .alpha = p.alpha, .bulk_ratio = p.bulk_ratio}};
   p.depth = 22.0 / 3;
-  Specimen<Real> specimen(p);
+  StrainedTarget<Real> specimen(p);
   specimen.stretch(1.2, 0.85);
   specimen.look(0);
   const MaterialConstants& m = specimen.solid.of_row(0);

@@ -75,7 +75,7 @@ TEST(TargetPiece, AHomogeneousStateHasTheClosedFormsStretchesStressAndEnergy) {
   for (const Geometry geometry : {Geometry::plane_strain, Geometry::axisymmetric}) {
     Problem p = specimen_problem();
     p.geometry = geometry;
-    Specimen<double> specimen(p);
+    StrainedTarget<double> specimen(p);
     const double shear = 0.3;
     specimen.stretch(1.2, 0.7, shear);
     Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
@@ -99,7 +99,7 @@ TEST(TargetPiece, AHomogeneousStateHasTheClosedFormsStretchesStressAndEnergy) {
 TEST(TargetPiece, APressedLayerIsUnderPressureAndRelaxingStressIsWhatTheKernelPushesWith) {
   Problem p = specimen_problem();
   p.relaxation = PronySeries{{{0.3, 0.1}, {0.2, 1}}};
-  Specimen<double> specimen(p);
+  StrainedTarget<double> specimen(p);
   specimen.stretch(1, 0.9);
   specimen.look(0.05);
   specimen.look(0.4);

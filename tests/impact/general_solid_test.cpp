@@ -33,7 +33,7 @@ void meets_the_plain_kernel(double tolerance) {
     p.linear_viscosity = 0.06;
     p.quadratic_viscosity = 1.2;
     p.erosion = StrainErosion{0.15};
-    Specimen<Real> general(p), plain(p);
+    StrainedTarget<Real> general(p), plain(p);
     displace_at_random(general.block, 0.03);
     displace_at_random(plain.block, 0.03);
     const auto report = general.look(0.05), expected = plain.look_as_plain(0.05);
@@ -64,7 +64,7 @@ template <class Real>
 void holds_what_its_elements_hold() {
   Problem p = specimen_problem();
   p.geometry = Geometry::axisymmetric;
-  Specimen<Real> specimen(p);
+  StrainedTarget<Real> specimen(p);
   Block<Real>& block = specimen.block;
   displace_at_random(block, 0.03);
   const int columns = block.mesh().columns(), rows = block.mesh().rows;
@@ -125,7 +125,7 @@ TEST(VolumetricLaw, NodalForcesAreMinusTheDerivativeOfTheEnergyUnderEveryLaw) {
     p.volumetric_law = law;
     p.depth = 2;
     p.below = {{.depth = 2, .density = 1.5, .mu = 7, .alpha = -4, .bulk_ratio = 20}};
-    Specimen<> specimen(p);
+    StrainedTarget<> specimen(p);
     displace_at_random(specimen.block, 0.04);
     specimen.look(0);
     const auto energy = [&] {
@@ -150,7 +150,7 @@ TEST(VolumetricLaw, NodalForcesAreMinusTheDerivativeOfTheEnergyUnderEveryLaw) {
 
 // When the corner element goes, stretched along z at speed 1 with a step, in steps after the stretch reached the value.
 double steps_late(const Problem& p, double at_stretch, double step) {
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.look(0);
   for (int n = 1; n < 100000; ++n) {
     specimen.stretch(1, 1 + n * step);
@@ -210,7 +210,7 @@ TEST(Erosion, OfSeveralLimitsTheFirstReachedDecidesAndIsNamed) {
     p.erosion = StrainErosion{strain_at(at(Criterion::strain))};
     p.further_erosion = {stress_at(at(Criterion::stress)), energy_at(at(Criterion::energy))};
     goes_on_time(p, l);
-    Specimen<> specimen(p);
+    StrainedTarget<> specimen(p);
     specimen.stretch(1, l);
     EXPECT_EQ(leading_criterion(specimen.block, specimen.solid, 1, 3), first);
     EXPECT_TRUE(specimen.solid.erodes(3));
@@ -237,7 +237,7 @@ TEST(Erosion, ALayerMayHaveAFurtherLimitAlone) {
 TEST(Erosion, WhatIsCrushedIsMarkedAsDistorted) {
   Problem p = specimen_problem();
   p.erosion = StressErosion{1e6};
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.stretch(1, 0.04);
   EXPECT_GT(specimen.look(0.1).doomed, 0);
   EXPECT_EQ(specimen.block.view().alive[0], -2);
@@ -248,7 +248,7 @@ TEST(Erosion, TheStressThatDecidesHasNoBulkViscosityInIt) {
   p.erosion = StressErosion{1e6};
   Problem viscous = p;
   viscous.linear_viscosity = 0.5;
-  Specimen<> without(p), with(viscous);
+  StrainedTarget<> without(p), with(viscous);
   for (auto* specimen : {&without, &with}) {
     EXPECT_EQ(specimen->block.view().erosion_measure[0], 0) << "no stress before the first look";
     specimen->look(0);
@@ -264,7 +264,7 @@ TEST(VolumetricLaw, TheLastWorkIsThatOfTheLawsOwnStress) {
   for (const auto law : {VolumetricLaw::log_quadratic, VolumetricLaw::quadratic, VolumetricLaw::logarithmic}) {
     Problem p = specimen_problem();
     p.volumetric_law = law;
-    Specimen<> specimen(p);
+    StrainedTarget<> specimen(p);
     const double l = 1.4, step = 0.01;
     specimen.stretch(1, l);
     specimen.look(0);
@@ -281,7 +281,7 @@ TEST(HourglassViscosity, TheModeLosesTheShareThatItsCoefficientSays) {
   Problem p = specimen_problem();
   p.hourglass_form = HourglassForm::viscosity;
   p.hourglass = 0.1;
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   auto& block = specimen.block;
   const double amplitude = 1e-6;
   for (int i = 0; i <= block.mesh().columns(); ++i)
@@ -299,7 +299,7 @@ TEST(HourglassViscosity, AnElementThatGoesDoesHalfTheWorkOfItsLastStep) {
   Problem p = specimen_problem();
   p.hourglass_form = HourglassForm::viscosity;
   p.erosion = StrainErosion{0.3};
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   auto& block = specimen.block;
   for (int i = 0; i <= block.mesh().columns(); ++i)
     for (int j = 0; j <= block.mesh().rows; ++j) block.view().v_z[block.at(i, j)] = (i + j) % 2 ? -1 : 1;
@@ -337,7 +337,7 @@ TEST(HourglassViscosity, EvenMuchOfItStaysBounded) {
 }
 
 TEST(GeneralSolid, ForcesAlongTheAxisAddUpToNothingWithAllOptionsOn) {
-  Specimen<> specimen(everything_at_once());
+  StrainedTarget<> specimen(everything_at_once());
   displace_at_random(specimen.block, 0.03);
   specimen.look(0.05);
   double sum = 0, size = 0;

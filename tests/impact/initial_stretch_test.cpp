@@ -47,7 +47,7 @@ TEST(InitialStretch, LeavesTheFaceFreeOfStressToRoundOff) {
 }
 
 template <class Real>
-double largest_free_force(Specimen<Real>& specimen) {
+double largest_free_force(StrainedTarget<Real>& specimen) {
   specimen.look(0);
   const auto& block = specimen.block;
   double largest = 0;
@@ -65,16 +65,16 @@ TEST(InitialStretch, LayersOfDifferentStretchAreInEquilibriumToRoundOff) {
     Problem p = stretched_specimen(1.15, geometry);
     p.depth = 5;
     p.below = {{.depth = 4, .density = 1.2, .mu = 0.7, .alpha = 3, .stretch = 1.4}, {.depth = 3, .mu = 1, .alpha = -2}};
-    Specimen<double> exact(p);
+    StrainedTarget<double> exact(p);
     EXPECT_LT(largest_free_force(exact), 1e-12 * p.bulk());
-    Specimen<float> single(p);
+    StrainedTarget<float> single(p);
     EXPECT_LT(largest_free_force(single), 3e-6 * p.bulk());
   }
 }
 
 TEST(InitialStretch, TheWallBearsTheTensionOfTheLayer) {
   const Problem p = stretched_specimen(1.2, Geometry::plane_strain);
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.look(0);
   const InitialStretch l = initial_of(p);
   EXPECT_NEAR(specimen.stress_r(), stress_of(p, l).r / l.jacobian(), 1e-11) << "Cauchy stress";
@@ -85,13 +85,13 @@ TEST(InitialStretch, AnElementGivesTheForcesOfTheUnstretchedOneThatHasComeToTheS
   for (const auto geometry : {Geometry::axisymmetric, Geometry::plane_strain}) {
     Problem p = stretched_specimen(1.25, geometry);
     p.hourglass = 0;
-    Specimen<> stretched(p);
+    StrainedTarget<> stretched(p);
     displace_at_random(stretched.block, 0.05);
     const ColumnReport report = stretched.look(0);
     const InitialStretch l = initial_of(p);
 
     p.stretch = 1;
-    Specimen<> plain(p);
+    StrainedTarget<> plain(p);
     auto& block = plain.block;
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j) {
@@ -109,12 +109,11 @@ TEST(InitialStretch, AnElementGivesTheForcesOfTheUnstretchedOneThatHasComeToTheS
                shape.at_axis};
       const auto& forces = block.far_forces();
       ColumnReport one;
-      kernel<double>().internal_forces(
-          block.view(),
-          {forces.r + block.at(i, 0), forces.z + block.at(i, 0), forces.r + block.at(i + 1, 0),
-           forces.z + block.at(i + 1, 0), i == 0},
-          i, {0, (block.mesh().rows + lanes - 1) / lanes * lanes}, shape, plain.solid.layers.front().material, 0,
-          {1e30, flags.data()}, one);
+      kernel<double>().internal_forces(block.view(),
+                                       {forces.r + block.at(i, 0), forces.z + block.at(i, 0),
+                                        forces.r + block.at(i + 1, 0), forces.z + block.at(i + 1, 0), i == 0},
+                                       i, {0, (block.mesh().rows + lanes - 1) / lanes * lanes}, shape,
+                                       plain.solid.layers.front().material, 0, {1e30, flags.data()}, one);
       largest_inverse_step = std::max(largest_inverse_step, one.largest_inverse_step);
     }
     for (int i = 0; i <= block.mesh().columns(); ++i)
@@ -123,7 +122,8 @@ TEST(InitialStretch, AnElementGivesTheForcesOfTheUnstretchedOneThatHasComeToTheS
         ASSERT_NEAR(stretched.block.far_forces().r[n], block.far_forces().r[n], 1e-11 * p.bulk()) << i << " " << j;
         ASSERT_NEAR(stretched.block.far_forces().z[n], block.far_forces().z[n], 1e-11 * p.bulk()) << i << " " << j;
       }
-    EXPECT_NEAR(report.largest_inverse_step * std::sqrt(l.jacobian()), largest_inverse_step, 1e-11 * largest_inverse_step)
+    EXPECT_NEAR(report.largest_inverse_step * std::sqrt(l.jacobian()), largest_inverse_step,
+                1e-11 * largest_inverse_step)
         << "the density is that of the solid as it stands";
   }
 }
@@ -157,7 +157,8 @@ class StretchedSlowly {
   }
   double thickness() const {
     const auto& mesh = block_.mesh();
-    return mesh.rows * mesh.row_height + block_.view().u_z[block_.at(2, mesh.rows)] - block_.view().u_z[block_.at(2, 0)];
+    return mesh.rows * mesh.row_height + block_.view().u_z[block_.at(2, mesh.rows)] -
+           block_.view().u_z[block_.at(2, 0)];
   }
 
   // The sphere's speed after this time, its mass given.
@@ -248,7 +249,13 @@ TEST(InitialStretch, AnErodingShotClosesWithLayersRelaxationAndViscousHourglass)
   Problem p = setting_s();
   p.stretch = 1.1;
   p.depth = 3;
-  p.below = {{.depth = 40, .density = 1.1, .mu = 0.5 * p.mu(), .alpha = 6, .bulk_ratio = 60, .erosion_limit = 0.6, .stretch = 1.2}};
+  p.below = {{.depth = 40,
+              .density = 1.1,
+              .mu = 0.5 * p.mu(),
+              .alpha = 6,
+              .bulk_ratio = 60,
+              .erosion_limit = 0.6,
+              .stretch = 1.2}};
   p.end_time = 8;
   const ImpactResult elastic = run_impact(p, 1);
   EXPECT_LT(std::abs(elastic.energy.closure()), 3e-3);
@@ -264,14 +271,14 @@ TEST(InitialStretch, AnElementGoesWhenWhatItWasStretchedByAndWhatIsAddedReachThe
   Problem p = stretched_specimen(1.2, Geometry::plane_strain);
   p.erosion = StrainErosion{0.5};
   for (const double added : {1.24, 1.26}) {
-    Specimen<> specimen(p);
+    StrainedTarget<> specimen(p);
     EXPECT_TRUE(take_initial_state(specimen.block, specimen.solid));
     specimen.look(0);
     specimen.stretch(added, 1 / added);
     specimen.look(0.1);
     const double half_more = 0.5 * 1.44 * (added * added - 1);  // judged half a step ahead
-    EXPECT_EQ(specimen.block.view().alive[0] < 0, 1.44 * added * added + half_more > 1.5 * 1.5);
-    Specimen<> held(p);
+    EXPECT_EQ(specimen.block.view().alive[0]<0, 1.44 * added * added + half_more> 1.5 * 1.5);
+    StrainedTarget<> held(p);
     held.stretch(added, 1 / added);
     held.look(0);
     EXPECT_EQ(held.look(0.1).doomed > 0, 1.2 * added > 1.5);

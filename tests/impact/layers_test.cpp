@@ -46,7 +46,7 @@ TEST(Layers, EveryRowHasTheStressOfItsOwnLayer) {
   p.depth = 13.0 / 3;
   p.below = {{.depth = 4.0 / 3, .density = 2, .mu = 5, .alpha = 3, .bulk_ratio = 20},
              {.depth = 20.0 / 3, .density = 0.5, .mu = 1, .alpha = -5, .bulk_ratio = 15}};
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   const double l = 1.2;
   specimen.stretch(1, l);
   specimen.look(0);
@@ -75,7 +75,7 @@ TEST(Layers, EachHasItsOwnStableStepAndMass) {
   p.depth = 4;
   p.below = {
       {.depth = 8, .density = 4, .mu = 32, .alpha = 3, .bulk_ratio = 10}};  // 16 times as stiff, 4 times as heavy
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   const double of_first = std::sqrt(2 * (p.bulk() + 4.0 / 3 * p.mu())) * 3;
   EXPECT_NEAR(specimen.look(0).largest_inverse_step, 2 * of_first, 1e-3 * of_first)
       << "1e-12 in the split of stretches";
@@ -91,7 +91,7 @@ TEST(Layers, BulkViscosityGoesByTheDensityAndWaveSpeedOfEach) {
   p.quadratic_viscosity = 1.5;
   p.depth = 4;
   p.below = {{.depth = 8, .density = 4, .mu = 5, .alpha = 3, .bulk_ratio = 20}};
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.look(0);
   const double J = 0.9, step = 0.05, closing = (1 - J) / (J * step), length = std::sqrt(J) / 3;
   specimen.stretch(1, J);
@@ -111,13 +111,13 @@ TEST(Layers, OneWithAnInfiniteLimitDoesNotErode) {
   p.below = {same_again(p, 4), same_again(p, 13.0 / 3)};
   p.below[0].erosion_limit = std::numeric_limits<double>::infinity();
   p.below[1].erosion_limit = 0.4;
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.look(0);
   specimen.stretch(1, 1.3);
   specimen.look(0.1);  // judged at 1.3 and half a step more
   const auto* alive = specimen.block.view().alive;
   for (int j = 0; j < 37; ++j) EXPECT_EQ(alive[j], j < 12 ? -1 : j < 24 ? 1 : -1) << j;
-  Specimen<> slower(p);
+  StrainedTarget<> slower(p);
   slower.look(0);
   for (const double l : {1.1, 1.15, 1.18, 1.2, 1.22}) {
     slower.stretch(1, l);
@@ -170,7 +170,7 @@ class Column {
   }
 
  private:
-  Specimen<> specimen;
+  StrainedTarget<> specimen;
 };
 
 TEST(Layers, APlaneWaveIsReflectedAsTheImpedancesSayAndRunsOnAtTheSpeedOfEachLayer) {

@@ -21,7 +21,7 @@ double elastic_stress(const Problem& p, double mu, double l) {
 
 TEST(Relaxation, AfterAStepOfStrainTheStressFollowsTheSeries) {
   const Problem p = relaxing({{0.3, 0.4}, {0.25, 3}});
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   const double l = 1.25;
   specimen.look(0);
   specimen.stretch(1, l);
@@ -39,7 +39,7 @@ TEST(Relaxation, AfterAStepOfStrainTheStressFollowsTheSeries) {
 TEST(Relaxation, MuIsTheModulusOfAFastChangeAndMuTimesTheRestThatOfASlowOne) {
   for (const auto& [time, mu_ratio] : {std::pair{1e9, 1.0}, {1e-9, 0.45}}) {
     const Problem p = relaxing({{0.3, time}, {0.25, time}});
-    Specimen<> specimen(p);
+    StrainedTarget<> specimen(p);
     for (int n = 0; n <= 10; ++n) {
       specimen.stretch(1, 1 + 0.03 * n);
       specimen.look(0.1);
@@ -56,7 +56,7 @@ struct Ramp {
 };
 Ramp ramp(int steps) {
   const Problem p = relaxing({{0.5, 0.7}});
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.look(0);
   double work = 0, booked = 0, old_stress = 0, old_stretch = 1;
   for (int n = 1; n <= steps; ++n) {
@@ -89,7 +89,7 @@ TEST(Relaxation, WhatIsBookedIsTheWorkDoneToSecondOrder) {
 TEST(Relaxation, AnElementThatGoesDoesHalfTheWorkOfItsLastStep) {
   Problem p = relaxing({{0.5, 0.7}});
   p.erosion = StrainErosion{0.3};
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   specimen.look(0);
   const double l = 1.1, last = 1.5;
   specimen.stretch(1, l);
@@ -106,7 +106,7 @@ TEST(Relaxation, AnElementThatGoesDoesHalfTheWorkOfItsLastStep) {
 // largest principal value of what is missing.
 TEST(Relaxation, TheStableStepFollowsTheStressThatIsLeft) {
   const Problem p = relaxing({{0.6, 1}});
-  Specimen<> specimen(p);
+  StrainedTarget<> specimen(p);
   const double l = 0.7, per_height2 = 9;
   specimen.look(0);
   specimen.stretch(1, l);
@@ -119,7 +119,7 @@ TEST(Relaxation, TheStableStepFollowsTheStressThatIsLeft) {
 
 TEST(Relaxation, ARigidRotationLeavesTheStressAsItIs) {
   const Problem p = relaxing({{0.5, 0.7}});
-  Specimen<> straight(p), turned(p);
+  StrainedTarget<> straight(p), turned(p);
   const auto turn = [](Block<double>& block, double angle) {
     for (int i = 0; i <= block.mesh().columns(); ++i)
       for (int j = 0; j <= block.mesh().rows; ++j) {

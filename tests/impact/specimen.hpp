@@ -27,9 +27,9 @@ inline Problem specimen_problem() {
 }
 
 template <class Real = double>
-class Specimen {
+class StrainedTarget {
  public:
-  explicit Specimen(const Problem& problem)
+  explicit StrainedTarget(const Problem& problem)
       : kernel_(percal::kernel<Real>()),
         block(problem, mesh_of(problem), kernel_.lanes),
         solid(problem, block.layers()),

@@ -9,7 +9,7 @@ namespace {
 
 // Planar tension to 1.4 in 2 time units and a hold of 3, at constant volume: nominal stress where the face across is free.
 double of_the_solver(const Problem& problem, int steps) {
-  Specimen<> specimen(problem);
+  StrainedTarget<> specimen(problem);
   specimen.look(0);
   double along = 1, across = 1;
   for (int n = 1; n <= steps; ++n) {

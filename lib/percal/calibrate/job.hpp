@@ -28,6 +28,11 @@ enum class ParameterKind {
   relaxation_time
 };
 
+inline constexpr const char* parameter_kinds[] = {"modulus",          "exponent",       "erosion strain",
+                                                  "erosion length",   "rate exponent",  "size exponent",
+                                                  "relaxation share", "relaxation time"};
+inline const char* word(ParameterKind kind) { return parameter_kinds[static_cast<int>(kind)]; }
+
 struct CalibrationParameter {
   ParameterKind kind = ParameterKind::modulus;
   FreeParameter free;

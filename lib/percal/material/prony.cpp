@@ -37,7 +37,7 @@ ShareSlopes share_slopes(const PronySeries& series, double time) {
 
 HereditaryStep hereditary_step(double elapsed, double time) {
   const double x = elapsed / time, decay = std::exp(-x);
-  if (x < short_step) return {decay, 1 - x / 2 + x * x / 6, x * decay, x / 2 - x * x / 3};
+  if (x < short_step) return {decay, 1 - x / 2 + x * x / 6 - x * x * x / 24, x * decay, x / 2 - x * x / 3 + x * x * x / 8};
   const double taken = -std::expm1(-x) / x;
   return {decay, taken, x * decay, taken - decay};
 }

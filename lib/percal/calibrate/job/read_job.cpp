@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "percal/invert/emulator.hpp"
@@ -53,10 +54,8 @@ const Range elements_in_length{.low = 1 / largest_element_in_length,
                                .high = 1000,
                                .words = "a number from 3 to 1000, of elements in the erosion length"};
 
-const std::vector<std::string> kind_words{"modulus",          "exponent",       "erosion strain",
-                                          "erosion length",   "rate exponent",  "size exponent",
-                                          "relaxation share", "relaxation time"};  // as ParameterKind
-constexpr double smallest_exponent = 1e-3;                                         // the solver divides by it
+const std::vector<std::string> kind_words(std::begin(parameter_kinds), std::end(parameter_kinds));
+constexpr double smallest_exponent = 1e-3;  // the solver divides by it
 
 Range range_of(ParameterKind kind) {
   if (kind == ParameterKind::modulus) return positive("modulus");
@@ -128,11 +127,8 @@ std::optional<SharedParameter> named_parameter(const TomlTable& block, const std
   for (std::size_t k = 0; k < job.parameters.size(); ++k) {
     if (job.parameters[k].free.name != name) continue;
     if (job.parameters[k].kind != kind)
-      block.refuse(
-          key,
-          fmt::format("{}, a parameter of kind \"{}\"", in_quotes(name),
-                      kind_words[static_cast<int>(job.parameters[k].kind)]),
-          fmt::format("a parameter of kind \"{}\": {}", kind_words[static_cast<int>(kind)], parameters_of(job, kind)));
+      block.refuse(key, fmt::format("{}, a parameter of kind \"{}\"", in_quotes(name), word(job.parameters[k].kind)),
+                   fmt::format("a parameter of kind \"{}\": {}", word(kind), parameters_of(job, kind)));
     return SharedParameter{static_cast<int>(k)};
   }
   return std::nullopt;
@@ -140,9 +136,7 @@ std::optional<SharedParameter> named_parameter(const TomlTable& block, const std
 
 void describe_number(const TomlTable& block, const std::string& key, ParameterKind kind) {
   block.describe(key, {name_of(dimension_of(kind)) + " or name",
-                       words_of(range_of(kind)) + ", or the name of a parameter of kind " +
-                           in_quotes(kind_words[static_cast<int>(kind)]),
-                       ""});
+                       words_of(range_of(kind)) + ", or the name of a parameter of kind " + in_quotes(word(kind)), ""});
 }
 
 // A quantity, or the name of a parameter of the kind.

@@ -77,11 +77,10 @@ std::vector<FreeParameter> fitted_parameters(const CalibrationJob& job, const Hy
 }
 
 Json searched_to_json(const CalibrationJob& job) {
-  const char* const kinds[] = {"modulus", "exponent", "erosion strain", "erosion length"};  // as ParameterKind
   Json all = Json::array();
   for (const auto& [kind, free] : job.parameters)
     all.push_back({{"name", free.name},
-                   {"kind", kinds[static_cast<int>(kind)]},
+                   {"kind", word(kind)},
                    {key_of("low", free), free.low},
                    {key_of("high", free), free.high},
                    {"logarithmic", free.logarithmic},
