@@ -104,8 +104,7 @@ TrainingRun run_of(const Json& json, int inputs) {
   return run;
 }
 
-constexpr std::size_t numbers_of_point =
-    7;  // the fourth, an erosion length, may be null; two more for each term of relaxation
+constexpr std::size_t numbers_of_point = 7;  // the fourth, a length, may be null; two more a term of relaxation
 
 Json point_to_json(const LayerMaterial& point) {
   Json numbers = Json::array({point.mu_true, point.alpha, point.erosion_strain, page::finite(point.erosion_length),
