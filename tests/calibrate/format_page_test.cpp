@@ -49,6 +49,7 @@ TEST_F(CalibratePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
     keys["[[shots]]"].insert(key);
   keys["[[ridge_points]]"].insert("where");
   keys["[materials.NAME]"].insert("erosion_length");
+  keys["[[materials.NAME.relaxation]]"] = {"share", "time"};
   EXPECT_EQ(keys, described());
 }
 
