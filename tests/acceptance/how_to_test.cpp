@@ -72,8 +72,8 @@ TEST_F(HowTo, RampsAndHolds) {
   EXPECT_TRUE(fs::exists(path("across/target.toml")));
   const auto parameters = result("relaxing.out/result.json")["hypotheses"][0]["parameters"];
   EXPECT_EQ(parameters[3]["name"], "tau");
-  EXPECT_GT(parameters[3]["value"].get<double>(), 15);
-  EXPECT_LT(parameters[3]["value"].get<double>(), 50);
+  EXPECT_GT(parameters[3]["value_s"].get<double>(), 15);
+  EXPECT_LT(parameters[3]["value_s"].get<double>(), 50);
 }
 
 TEST_F(HowTo, MyOwnParticle) { follow("own_particle.md"); }
