@@ -108,7 +108,7 @@ void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::
       "a shot that was not fired, from a finished calibration -> its depth with intervals, depth over speed");
   PredictWords& words = predict.words;
   command->add_option("result", predict.result, "result.json of percal calibrate, or its folder")->required();
-  command->add_option("--material", words.material, "of the calibration (default: the one that was shot into)");
+  command->add_option("--material", words.material, "of the calibration, or one of its targets (default: the one that was shot into)");
   command->add_option("--hypothesis", words.hypothesis, "name or number (default: the first)");
   command->add_option("--speed", words.speed, "as \"83 m/s\", or a range as 50..250m/s");
   add_sphere(*command, words.sphere);
