@@ -47,6 +47,7 @@ Steel balls of 4.5 and 6.35 mm at 25 to 65 m/s, {len(result["data"]["shots"])} o
 - Of the gel the same is true, as of every gel shot bare (calibration.md): a ridge of mu and strain. The bare shots tell it, the covered ones hardly add.
 - Shots that only just pass tell a cover best: at 65 m/s the thick skin takes 6 % off the depth, at 35 m/s a quarter. A shot that sticks in it tells nothing of the gel, and its depth scatters by more than a tenth.
 - Thickness is given, not fitted.
+- After {emulator["runs"]} runs the emulator's own error at the best points, {percent(emulator["error_at_optimum"])}, stands beside the data's {percent(emulator["data_error"])} and widens every interval: where a sphere just passes a cover its depth is steep in everything.
 
 {table(["target", "diameter, mm", "speed, m/s", "depth, mm", "off by, %"], shot_rows(result))}
 
