@@ -28,11 +28,6 @@ def shot_rows(result):
         yield [shot["target"], f"{2e3 * shot['radius_m']:g}", f"{shot['speed_m_s']:g}", f"{1e3 * shot['measured_m']:.1f}", percent(found["deviation"], "+.1f")]
 
 
-def combinations(hypothesis):
-    for one in hypothesis["combinations"]:
-        yield [f"{percent(one['relative_error'])}" if one.get("relative_error") is not None else "-", ", ".join(f"{name}: {weight:+.2f}" for name, weight in one["weights"].items())]
-
-
 def page(result):
     emulator = result["emulator"]
     return f"""# Two layers from depths alone
