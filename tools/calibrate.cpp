@@ -37,7 +37,7 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
     return say_valid(arguments.job + ": " + valid_words(job, largest),
                      {{"command", "calibrate"}, {"job", arguments.job}}, common, largest);
   const std::string folder = out_folder(arguments.job, common);
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  Store store(store_file(common));
   Campaign campaign(&store, common.threads);
   CalibrationResult result = calibrate(job, store, campaign, limits, [&](const std::string& sentence) {
     if (!common.talks()) return;

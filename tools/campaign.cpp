@@ -55,12 +55,10 @@ Exit run_campaign(const CampaignArguments& arguments, const Common& common) {
                     runs_of(points), in_words(largest_of(points))),
         {{"command", "campaign"}, {"job", arguments.plan}, {"points", points.size()}, {"runs", runs_of(points)}},
         common, largest_of(points));
-  if (arguments.estimate)
-    return say_estimate(arguments.plan, points, Store(common.store.empty() ? default_store_path() : common.store),
-                        common);
+  if (arguments.estimate) return say_estimate(arguments.plan, points, Store(store_file(common)), common);
   const std::string folder = out_folder(arguments.plan, common);
   if (!folder.empty()) ensure_writable_file(folder + "/points.csv");
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  Store store(store_file(common));
   Campaign campaign(&store, common.threads);
   SweepFindings found{.plan = plan, .points = points};
   {

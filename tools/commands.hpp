@@ -178,6 +178,8 @@ std::string folder_named(const std::string& first_input, const Common&);
 
 // The same, made. Throws IoFailure where it cannot be written to, BadInput where a result would replace an input.
 std::string out_folder(const std::string& first_input, const Common&);
+// The file of the evaluation store: --store, or the user's own.
+std::string store_file(const Common&);
 
 // Throws BadInput where a TOML file is a scene or a job, which this command does not take. Others are left to their readers.
 void refuse_document(const std::string& file, const std::string& accepted);

@@ -68,7 +68,7 @@ std::optional<StrainAtSize> strain_for_elements(const CardArguments& card, const
   const NamedScene& shot = chosen(scenes, card);
   need_element_size(shot.scene, element, Place{.file = card.result, .line = 0, .key = "--element-size"});
   if (common.check) return std::nullopt;
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  Store store(store_file(common));
   Campaign campaign(&store, common.threads);
   Progress progress(shot.name, strain_runs(shot.scene));
   return strain_at_size(shot.scene, element, campaign, &progress);

@@ -39,7 +39,7 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
     return say_valid(fmt::format("{}: a job that can be run; the largest run has {}", arguments.job, in_words(largest)),
                      {{"command", "identify"}, {"job", arguments.job}}, common, largest);
   const std::string folder = out_folder(arguments.job, common);
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  Store store(store_file(common));
   Campaign campaign(&store, common.threads);
   const bool as_they_come = common.talks() && !common.details;  // the details have them all
   const Identification found = identify(job, campaign, [&](const ComparedNumbers& step) {

@@ -71,7 +71,7 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   ensure_views_can_be_made(arguments);
   const std::string folder = out_folder(arguments.scene, common);
   if (!folder.empty() && scene.output.history) ensure_writable_file(folder + "/history.csv");
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  Store store(store_file(common));
   std::optional<AdvisedAccuracy> accuracy;
   if (target_error) {
     accuracy = advised_accuracy(scene, *target_error, store, common);

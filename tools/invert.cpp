@@ -15,7 +15,7 @@ Exit run_invert(const InvertArguments& arguments, const Common& common) {
   if (common.check)
     return say_valid("a shot that can be inverted", {{"command", "invert"}}, common, first_run(request));
   const std::string folder = common.out.empty() ? "" : out_folder("", common);
-  Store store(common.store.empty() ? default_store_path() : common.store);
+  Store store(store_file(common));
   Campaign campaign(&store, common.threads);
   OneDepth found = find_at_depth(request, campaign);
   found.cost = cost_since(start, campaign);

@@ -19,6 +19,7 @@
 #include "percal/base/inputs.hpp"
 #include "percal/base/printable.hpp"
 #include "percal/base/threads.hpp"
+#include "percal/store/store.hpp"
 #include "percal/text/file.hpp"
 #include "percal/units/words.hpp"
 
@@ -28,6 +29,8 @@ std::string folder_named(const std::string& first_input, const Common& common) {
   if (common.out == "none") return "";
   return common.out.empty() ? std::filesystem::path(first_input).stem().string() + ".out" : common.out;
 }
+
+std::string store_file(const Common& common) { return common.store.empty() ? default_store_path() : common.store; }
 
 std::string out_folder(const std::string& first_input, const Common& common) {
   const std::string folder = folder_named(first_input, common);

@@ -23,7 +23,7 @@ Exit run_predict(const PredictArguments& arguments, const Common& common) {
   Prediction prediction = predict(model, request);
   prediction.cost.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (arguments.verify) {
-    Store store(common.store.empty() ? default_store_path() : common.store);
+    Store store(store_file(common));
     Campaign campaign(&store, common.threads);
     check_by_runs(prediction, model, campaign);
     prediction.cost = cost_since(start, campaign);

@@ -23,7 +23,7 @@ void check_source(const std::string& path, const std::string& target) {
 }  // namespace
 
 Exit run_store_merge(const StoreArguments& arguments, const Common& common) {
-  const std::string target = common.store.empty() ? default_store_path() : common.store;
+  const std::string target = store_file(common);
   for (const std::string& source : arguments.sources) check_source(source, target);
   Store store(target);
   for (const std::string& source : arguments.sources) {

@@ -28,7 +28,7 @@ using page::Json;
 struct Study {
   Study(const std::string& first_input, const StudyArguments& arguments, const Common& common)
       : folder(writable_folder(first_input, arguments, common)),
-        store(common.store.empty() ? default_store_path() : common.store),
+        store(store_file(common)),
         campaign(&store, common.threads) {}
 
   page::Cost cost() const {

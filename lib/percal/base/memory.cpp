@@ -1,5 +1,7 @@
 #include "percal/base/memory.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
 #include <limits>
@@ -36,6 +38,13 @@ double left_in_control_group() {
 double available_memory() {
   const auto kilobytes = kernel_number("/proc/meminfo", "MemAvailable:");
   return std::min(kilobytes ? 1024 * *kilobytes : infinity, left_in_control_group());
+}
+
+double memory_of_this_process() {
+  std::ifstream file("/proc/self/statm");
+  double pages = 0, resident = 0;
+  file >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
 MemoryRoom::Place::Place(MemoryRoom& room, double bytes) : room_(room), bytes_(bytes) {

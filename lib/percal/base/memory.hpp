@@ -9,6 +9,9 @@ namespace percal {
 // Infinity where neither says.
 double available_memory();
 
+// Bytes that this process holds.
+double memory_of_this_process();
+
 // Lets work in as long as all that is inside fits. What is larger than the room goes in alone.
 class MemoryRoom {
  public:

@@ -132,12 +132,31 @@ StressSlopes stress_and_slope(const Ogden& solid, const PrincipalPair& pair) {
   return {stress, stress * (mean + langevin * (log_i - log_j) / 2)};
 }
 
-// Of a curve of a material that relaxes: Pa, and with respect to everything that is searched.     docs/theory/relaxation.md (5)
-struct RelaxedStresses {
+// Of a curve: Pa, and with respect to everything that is searched.
+struct StressesWithSlopes {
   VectorXd stress;
   MatrixXd slope;  // points x parameters
 };
-RelaxedStresses relaxed_stresses(const Context& context, std::size_t index, const MaterialAt& material) {
+
+// Of a material that does not relax.
+StressesWithSlopes elastic_stresses(const Context& context, const MeasuredCurve& curve, const MaterialAt& material) {
+  const MatrixXd derivative = context.derivative(curve.material, material);
+  const double rate = curve.rate.value_or(material.laws.reference_rate);
+  const double log_rate = std::log(rate / material.laws.reference_rate);
+  const Ogden solid{material.mu_true * rate_factor(material.laws, rate) / curve.rate_factor, material.alpha};
+  const auto count = static_cast<Eigen::Index>(curve.data.points.size());
+  StressesWithSlopes found{VectorXd(count), MatrixXd(count, derivative.cols())};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto [stress, by_alpha] =
+        stress_and_slope(solid, principal_pair(curve.data.points[static_cast<std::size_t>(k)].strained));
+    found.stress[k] = stress;
+    found.slope.row(k) = stress * (derivative.row(0) + log_rate * derivative.row(4)) + by_alpha * derivative.row(1);
+  }
+  return found;
+}
+
+// Of one that relaxes, along the curve's history.                                                 docs/theory/relaxation.md (5)
+StressesWithSlopes relaxed_stresses(const Context& context, std::size_t index, const MaterialAt& material) {
   const MeasuredCurve& curve = context.job.curves[index];
   const PronySeries& series = material.laws.relaxation;
   std::vector<double> times;
@@ -172,24 +191,13 @@ ModelAnswer stresses(const Context& context, const VectorXd& searched, Want want
   for (std::size_t c = 0; c < context.job.curves.size(); ++c) {
     const MeasuredCurve& curve = context.job.curves[c];
     const MaterialAt material = material_at(context.job, context.hypothesis, curve.material, natural);
-    const MatrixXd derivative = context.derivative(curve.material, material);
-    const double rate = curve.rate.value_or(material.laws.reference_rate);
-    const double log_rate = std::log(rate / material.laws.reference_rate);
-    const Ogden solid{material.mu_true * rate_factor(material.laws, rate) / curve.rate_factor, material.alpha};
+    const StressesWithSlopes found = context.histories[c].empty() ? elastic_stresses(context, curve, material)
+                                                                  : relaxed_stresses(context, c, material);
     const auto scales = stress_scales(curve);
     const Eigen::Index first = row;
-    if (!context.histories[c].empty()) {
-      const RelaxedStresses relaxed = relaxed_stresses(context, c, material);
-      for (std::size_t k = 0; k < scales.size(); ++k, ++row) {
-        answer.value[row] = relaxed.stress[static_cast<Eigen::Index>(k)] / scales[k];
-        answer.jacobian.row(row) = relaxed.slope.row(static_cast<Eigen::Index>(k)) / scales[k];
-      }
-    }
-    for (std::size_t k = 0; context.histories[c].empty() && k < curve.data.points.size(); ++k, ++row) {
-      const auto [stress, by_alpha] = stress_and_slope(solid, principal_pair(curve.data.points[k].strained));
-      answer.value[row] = stress / scales[k];
-      answer.jacobian.row(row) =
-          (stress * (derivative.row(0) + log_rate * derivative.row(4)) + by_alpha * derivative.row(1)) / scales[k];
+    for (std::size_t k = 0; k < scales.size(); ++k, ++row) {
+      answer.value[row] = found.stress[static_cast<Eigen::Index>(k)] / scales[k];
+      answer.jacobian.row(row) = found.slope.row(static_cast<Eigen::Index>(k)) / scales[k];
     }
     if (curve.rate_factor_error == 0 || want == Want::values) continue;
     any_common = true;

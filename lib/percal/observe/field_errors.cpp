@@ -36,12 +36,9 @@ double speed_half_width(double speed, double impact_speed, double share) {
 }
 
 FieldErrors field_errors(const FieldMeasures& measures, const Scene& scene, const Reduction& reduction,
-                         const std::vector<Evaluation>& replicates) {
-  double worst_closure = 0;
-  for (const Evaluation& run : replicates)
-    worst_closure = std::max(worst_closure, std::abs(run.result.energy.closure()));
-  const int runs = static_cast<int>(replicates.size());
-  const auto share = ruled_share(scene, reduction, worst_closure);
+                         const Penetration& penetration) {
+  const int runs = static_cast<int>(penetration.outcomes.size());
+  const auto share = ruled_share(scene, reduction, penetration.worst_closure);
   const auto of_speed = [&](const MeanOfRuns& speed) -> std::optional<double> {
     if (!speed.mean || !share) return std::nullopt;
     return with_phase(speed, runs, {speed_half_width(*speed.mean, scene.particle.speed, *share)});

@@ -17,7 +17,7 @@ struct FieldErrors {
 };
 
 FieldErrors field_errors(const FieldMeasures& measures, const Scene& scene, const Reduction& reduction,
-                         const std::vector<Evaluation>& replicates);
+                         const Penetration& penetration);
 
 // Half width of a speed left when the energy that was lost is known to this share of itself: what is left of v is sqrt(v^2 - lost).
 double speed_half_width(double speed, double impact_speed, double share);

@@ -1,10 +1,7 @@
 #include "percal/sweep/estimate.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <queue>
 
@@ -69,13 +66,6 @@ double end_of_all(std::vector<double> seconds, int threads) {
     last = std::max(last, end);
   }
   return last;
-}
-
-double memory_of_this_process() {
-  std::ifstream file("/proc/self/statm");
-  double pages = 0, resident = 0;
-  file >> pages >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
 // The largest that are side by side, as far as they fit.

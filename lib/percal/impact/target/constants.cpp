@@ -7,6 +7,7 @@
 
 #include "percal/impact/settings.hpp"
 #include "percal/impact/target/initial_stretch.hpp"
+#include "percal/material/prony.hpp"
 #include "percal/problem/domain.hpp"
 
 namespace percal {
@@ -60,14 +61,6 @@ PressureLaw pressure_law_of(VolumetricLaw law) {
     case VolumetricLaw::log_quadratic: break;
   }
   return PressureLaw::log_quadratic;
-}
-
-// Of mu, when all terms have relaxed.
-template <class Terms>
-double lasting_share_of(const Terms& terms) {
-  double share = 1;
-  for (const auto& term : terms) share -= term.share;
-  return share;
 }
 
 // Of fibres in tension along the layer's plane.
@@ -126,7 +119,7 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
   const double linear = shock ? std::max(p.linear_viscosity, supersonic_linear) : p.linear_viscosity;
   const double quadratic = shock ? std::max(p.quadratic_viscosity, supersonic_quadratic) : p.quadratic_viscosity;
   const auto* series = std::get_if<PronySeries>(&p.relaxation);
-  const double lasting = series ? lasting_share_of(series->terms) : 1;
+  const double lasting = series ? lasting_share(*series) : 1;
   const GradedMesh mesh = mesh_of(p);
   std::vector<MaterialConstants> layers;
   for (const Layer& layer : layers_of(p)) {
@@ -199,7 +192,9 @@ bool TargetSolid::erodes(int row) const {
 }
 
 double TargetSolid::lasting_share() const {
-  return lasting_share_of(relaxation);
+  double share = 1;
+  for (const auto& term : relaxation) share -= term.share;
+  return share;
 }
 
 template <class Real>

@@ -89,8 +89,8 @@ Json channel_to_json(const std::optional<ChannelOfRuns>& channel, const FieldErr
 }  // namespace
 
 Json field_measures_to_json(const FieldMeasures& measures, const Scene& scene, const Reduction& reduction,
-                            const std::vector<Evaluation>& runs) {
-  const FieldErrors errors = field_errors(measures, scene, reduction, runs);
+                            const Penetration& penetration, const std::vector<Evaluation>& runs) {
+  const FieldErrors errors = field_errors(measures, scene, reduction, penetration);
   return {{"impact_parameter_kg_m_s", impact_parameter(reduction.problem, reduction.scales)},
           {"sectional_density_kg_m2", sectional_density(reduction.problem, reduction.scales)},
           {"layers", layers_to_json(measures, errors, scene)},

@@ -12,7 +12,7 @@ namespace percal {
 
 // `impact_parameter_kg_m_s`, `sectional_density_kg_m2`, `layers`, `exit_speed_m_s` with its scatter, `final`, `channel`.
 page::Json field_measures_to_json(const FieldMeasures& measures, const Scene& scene, const Reduction& reduction,
-                                  const std::vector<Evaluation>& runs);
+                                  const Penetration& penetration, const std::vector<Evaluation>& runs);
 
 // Of one run: a number for each layer that it crossed; how it ended, null of a run that did not go on.
 page::Json speeds_behind_to_json(const ImpactResult& run, const Scales& scales);

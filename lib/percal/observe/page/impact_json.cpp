@@ -57,7 +57,8 @@ Json eroded_by_to_json(const Problem& problem, const ImpactResult& r) {
   Json by{{names[problem.erosion.index()], r.eroded - r.distorted}, {"distortion", r.distorted}};
   if (problem.further_erosion.is_empty()) return by;
   if (std::holds_alternative<StrainErosion>(problem.erosion)) by["strain"] = r.eroded_by.strain;
-  if (std::holds_alternative<StressErosion>(problem.erosion) || problem.further_erosion.stress) by["stress"] = r.eroded_by.stress;
+  if (std::holds_alternative<StressErosion>(problem.erosion) || problem.further_erosion.stress)
+    by["stress"] = r.eroded_by.stress;
   if (problem.further_erosion.energy) by["energy"] = r.eroded_by.energy;
   return by;
 }
@@ -135,7 +136,7 @@ Json impact_to_json(const ImpactFindings& f) {
   for (const std::string& note : f.evidence.notes) sentences.push_back(note);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));
-  result.update(field_measures_to_json(measures, f.scene, f.reduction, f.runs));
+  result.update(field_measures_to_json(measures, f.scene, f.reduction, f.penetration, f.runs));
   result.update({{"mu_as_given_Pa", f.scene.target.mu_as_given},
                  {"mu_true_Pa", f.reduction.mu_true},
                  {"convention", word(f.scene.target.convention)},
