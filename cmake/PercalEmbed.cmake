@@ -1,21 +1,23 @@
-# percal_embed(TARGET FOLDER): makes every file below a folder of sources part of a program, as text by its name in that folder. It
-# defines embedded_templates() of tools/templates.hpp.
-function(percal_embed target folder)
-  file(GLOB_RECURSE names RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/${folder} CONFIGURE_DEPENDS ${folder}/*)
+# percal_embed(TARGET FUNCTION HEADER FOLDER NAMES...): makes files of a folder of sources part of a target, as text by their names in that
+# folder: FUNCTION() of HEADER gives them all.
+function(percal_embed target function header folder)
   set(PERCAL_EMBEDDED "")
-  foreach(name ${names})
+  foreach(name ${ARGN})
     file(READ ${folder}/${name} text)
     string(APPEND PERCAL_EMBEDDED "    {\"${name}\", R\"percal(${text})percal\"},\n")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${name})
   endforeach()
-  file(CONFIGURE OUTPUT embedded_${folder}.cpp @ONLY CONTENT [[
-#include "@CMAKE_CURRENT_SOURCE_DIR@/templates.hpp"
+  get_filename_component(PERCAL_EMBED_HEADER ${header} ABSOLUTE)
+  set(PERCAL_EMBED_FUNCTION ${function})
+  string(MAKE_C_IDENTIFIER ${function} id)
+  file(CONFIGURE OUTPUT embedded_${id}.cpp @ONLY CONTENT [[
+#include "@PERCAL_EMBED_HEADER@"
 
-const std::map<std::string, std::string>& percal::tools::embedded_templates() {
+const std::map<std::string, std::string>& @PERCAL_EMBED_FUNCTION@() {
   static const std::map<std::string, std::string> files{
 @PERCAL_EMBEDDED@  };
   return files;
 }
 ]])
-  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded_${folder}.cpp)
+  target_sources(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded_${id}.cpp)
 endfunction()

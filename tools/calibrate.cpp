@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colour.hpp"
+#include "cluster.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/calibrate/best_scenes.hpp"
@@ -37,9 +38,8 @@ Exit run_calibrate(const CalibrateArguments& arguments, const Common& common) {
     return say_valid(arguments.job + ": " + valid_words(job, largest),
                      {{"command", "calibrate"}, {"job", arguments.job}}, common, largest);
   const std::string folder = out_folder(arguments.job, common);
-  Store store(store_file(common));
-  Campaign campaign(&store, common.threads);
-  CalibrationResult result = calibrate(job, store, campaign, limits, [&](const std::string& sentence) {
+  Runs runs(common, arguments.job);
+  CalibrationResult result = calibrate(job, runs.store, runs.campaign, limits, [&](const std::string& sentence) {
     if (!common.talks()) return;
     print(sentence + "\n");
     std::fflush(stdout);

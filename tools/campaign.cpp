@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "cluster.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
@@ -43,6 +44,15 @@ Exit say_estimate(const std::string& plan, const std::vector<SweepPoint>& points
   return Exit::done;
 }
 
+// Of the array that the points left to run are.
+Exit say_script(const std::string& plan, const std::vector<SweepPoint>& points, const Common& common) {
+  const Store store(store_file(common));
+  std::vector<Problem> left;
+  for (const auto& replicates : problems_to_run(problems_of(points), &store))
+    left.insert(left.end(), replicates.begin(), replicates.end());
+  return print_script(common, plan, left);
+}
+
 }  // namespace
 
 Exit run_campaign(const CampaignArguments& arguments, const Common& common) {
@@ -56,10 +66,12 @@ Exit run_campaign(const CampaignArguments& arguments, const Common& common) {
         {{"command", "campaign"}, {"job", arguments.plan}, {"points", points.size()}, {"runs", runs_of(points)}},
         common, largest_of(points));
   if (arguments.estimate) return say_estimate(arguments.plan, points, Store(store_file(common)), common);
+  if (common.cluster.dry_run) return say_script(arguments.plan, points, common);
   const std::string folder = out_folder(arguments.plan, common);
   if (!folder.empty()) ensure_writable_file(folder + "/points.csv");
-  Store store(store_file(common));
-  Campaign campaign(&store, common.threads);
+  Runs here_or_there(common, arguments.plan);
+  Store& store = here_or_there.store;
+  Campaign& campaign = here_or_there.campaign;
   SweepFindings found{.plan = plan, .points = points};
   {
     Progress progress("campaign", runs_of(points));

@@ -19,6 +19,14 @@ struct Common {
   bool quiet = false;
   bool details = false;  // print everything that the page has, not the answer alone
 
+  // Batches of runs are made by Slurm, by this much that its options say; none: here.
+  struct Cluster {
+    bool wanted = false;
+    std::string partition, time, folder;  // empty: the cluster's own; NAME.slurm in the working folder
+    int batch = 0, at_once = 0;           // 0: about a minute's work a task; as many tasks as the cluster lets
+    bool dry_run = false;                 // print the script, run nothing
+  } cluster = {};
+
   bool talks() const { return !quiet && !json; }
 };
 
@@ -99,6 +107,16 @@ struct CampaignArguments {
   bool estimate = false;  // say what it will cost, and run nothing but samples
 };
 
+struct WorkArguments {
+  std::string list;
+};
+
+struct AtlasArguments {
+  std::string plan;     // of write
+  std::string file;     // where to write
+  int points = 20;      // of check
+};
+
 struct CardArguments {
   std::string result;  // of write
   std::string card;    // of read and check
@@ -162,6 +180,9 @@ Exit run_predict(const PredictArguments&, const Common&);
 Exit run_invert(const InvertArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_campaign(const CampaignArguments&, const Common&);
+Exit run_atlas_write(const AtlasArguments&, const Common&);
+Exit run_atlas_check(const AtlasArguments&, const Common&);
+Exit run_work(const WorkArguments&);
 Exit run_card_write(const CardArguments&, const Common&);
 Exit run_card_read(const CardArguments&, const Common&);
 Exit run_card_check(const CardArguments&, const Common&);

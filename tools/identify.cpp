@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cluster.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
@@ -39,8 +40,8 @@ Exit run_identify(const IdentifyArguments& arguments, const Common& common) {
     return say_valid(fmt::format("{}: a job that can be run; the largest run has {}", arguments.job, in_words(largest)),
                      {{"command", "identify"}, {"job", arguments.job}}, common, largest);
   const std::string folder = out_folder(arguments.job, common);
-  Store store(store_file(common));
-  Campaign campaign(&store, common.threads);
+  Runs runs(common, arguments.job);
+  Campaign& campaign = runs.campaign;
   const bool as_they_come = common.talks() && !common.details;  // the details have them all
   const Identification found = identify(job, campaign, [&](const ComparedNumbers& step) {
     if (as_they_come) print_step(comparison_table(comparison_to_json(job, step)));

@@ -82,12 +82,29 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
   commands.push_back({command, [&] { return run_impact(impact, common); }, true});
 }
 
+// Of commands whose batches of runs a cluster may make.
+void add_cluster(CLI::App& command, Common::Cluster& cluster) {
+  auto* slurm = command.add_flag("--slurm", cluster.wanted, "have the runs made by Slurm, from a folder that all nodes see");
+  command.add_option("--partition", cluster.partition, "of the cluster (default: its own)")->needs(slurm);
+  command.add_option("--time", cluster.time, "limit of a task, as Slurm has it: 30, 2:00:00 (default: the partition's)")
+      ->needs(slurm);
+  command.add_option("--batch", cluster.batch, "runs a task (default: about a minute's work)")
+      ->check(CLI::Range(1, 1000000))
+      ->needs(slurm);
+  command.add_option("--at-once", cluster.at_once, "tasks that may run at once (default: as many as the cluster lets)")
+      ->check(CLI::Range(1, 1000000))
+      ->needs(slurm);
+  command.add_option("--slurm-folder", cluster.folder, "for lists and results of tasks (default: NAME.slurm in the working folder)")
+      ->needs(slurm);
+}
+
 void add_identify(CLI::App& app, IdentifyArguments& identify, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand(
       "identify", "the whole chain: gelatin shots -> ridge -> similarity -> skin -> predictions -> cards");
   command->add_option("job", identify.job, "TOML job")->required();
   command->footer("Example: percal identify data/guha2009/skin.toml");
   add_common(*command, common, true);
+  add_cluster(*command, common.cluster);
   commands.push_back({command, [&] { return run_identify(identify, common); }, true});
 }
 
@@ -99,6 +116,8 @@ void add_calibrate(CLI::App& app, CalibrateArguments& calibrate, Common& common,
   command->add_option("--budget", calibrate.budget, "wall time to keep to, as 60s or 5min: the best answer within it");
   command->footer("Example: percal calibrate data/synthetic/joint.toml --budget 60s");
   add_common(*command, common, true);
+  add_cluster(*command, common.cluster);
+  command->get_option("--budget")->excludes("--slurm");  // the wall time of a queue is anybody's guess
   commands.push_back({command, [&] { return run_calibrate(calibrate, common); }, true});
 }
 
@@ -195,6 +214,7 @@ void add_study(CLI::App& app, StudyArguments& study, Common& common, std::vector
       "          percal study data/guha2009/gold.toml --omissions\n"
       "          percal study --extremes --markdown extremes.md");
   add_common(*command, common, true);
+  add_cluster(*command, common.cluster);
   commands.push_back({command, [&] { return run_study(study, common); }, true});
 }
 
@@ -209,7 +229,39 @@ void add_campaign(CLI::App& app, CampaignArguments& campaign, Common& common, st
       "Examples: percal campaign data/guha2009/gold_sweep.toml --estimate\n"
       "          percal campaign data/guha2009/gold_sweep.toml");
   add_common(*command, common, true);
+  add_cluster(*command, common.cluster);
+  command->add_flag("--dry-run", common.cluster.dry_run, "print the script of the array, hand nothing over")->needs("--slurm");
   commands.push_back({command, [&] { return run_campaign(campaign, common); }, true});
+}
+
+void add_atlas(CLI::App& app, AtlasArguments& atlas, Common& common, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("atlas", "runs of spheres over the box that users live in, which calibrations begin with");
+  command->require_subcommand(1);
+  const auto runs = [&](CLI::App* one) {
+    one->add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
+    one->add_option("--threads", common.threads, "evaluations side by side (default: one for each core)")
+        ->check(CLI::Range(0, 4096));
+    one->add_flag("--quiet", common.quiet, "print nothing but errors");
+  };
+  auto* check = command->add_subcommand("check", "fresh runs between its runs: whether it holds, and how well");
+  check->add_option("--points", atlas.points, "fresh runs (default: 20)")->check(CLI::Range(5, 10000));
+  check->add_flag("--json", common.json, "print the result as JSON on standard output");
+  runs(check);
+  check->footer("Example: percal atlas check");
+  commands.push_back({check, [&] { return run_atlas_check(atlas, common); }, true});
+  auto* write = command->add_subcommand("write", "the runs of a plan as the file of an atlas; those that a store lacks are made");
+  write->add_option("plan", atlas.plan, "TOML plan of percal campaign: spheres into one layer, one run a point")->required();
+  write->add_option("-o,--file", atlas.file, "atlas to write")->required();
+  runs(write);
+  write->footer("Example: percal atlas write data/atlas/spheres.toml -o spheres.csv");
+  commands.push_back({write, [&] { return run_atlas_write(atlas, common); }, true});
+}
+
+void add_work(CLI::App& app, WorkArguments& work, std::vector<Command>& commands) {
+  auto* command = app.add_subcommand("work", "what a task of a cluster does: the runs of its list, a file each");
+  command->add_option("list", work.list, "written by a command with --slurm")->required();
+  command->footer("Example: percal work skin.slurm/todo/1764500000-1-0/7");
+  commands.push_back({command, [&] { return run_work(work); }, true});
 }
 
 void add_scale(CLI::App& app, ScaleArguments& scale, Common& common, std::vector<Command>& commands) {
@@ -297,9 +349,9 @@ void add_help(CLI::App& app, std::vector<std::string>& words, std::vector<Comman
 // What the values of options are called in help and completion: FILE, FOLDER and so on; for all commands at once.
 void name_values(CLI::App& app) {
   static const std::vector<std::pair<std::vector<std::string>, std::string>> names{
-      {{"--out", "--plots"}, "FOLDER"},
+      {{"--out", "--plots", "--slurm-folder"}, "FOLDER"},
       {{"--store", "--file", "--history", "--markdown", "--write-scene", "--picture", "--csv"}, "FILE"},
-      {{"files", "scene", "job", "plan", "result", "results", "card", "sources"}, "FILE"},
+      {{"files", "scene", "job", "plan", "list", "result", "results", "card", "sources"}, "FILE"},
       {{"--shots"}, "FILE.csv"},
       {{"--x", "--y", "--error", "--rate-column"}, "COLUMN"},
       {{"--where"}, "COLUMN=VALUE"},
@@ -326,12 +378,14 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_impact(app, a.impact, a.common, commands);
   add_study(app, a.study, a.common, commands);
   add_campaign(app, a.campaign, a.common, commands);
+  add_atlas(app, a.atlas, a.common, commands);
   add_identify(app, a.identify, a.common, commands);
   add_calibrate(app, a.calibrate, a.common, commands);
   add_predict(app, a.predict, a.common, commands);
   add_invert(app, a.invert, a.common, commands);
   add_card(app, a.card, a.common, commands);
   add_store(app, a.store, a.common, commands);
+  add_work(app, a.work, commands);
   add_report(app, a.report, a.common, commands);
   add_new(app, a.start, a.common, commands);
   add_keys(app, a.keys, a.common, commands);

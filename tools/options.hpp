@@ -19,6 +19,8 @@ struct Arguments {
   InvertArguments invert;
   StudyArguments study;
   CampaignArguments campaign;
+  AtlasArguments atlas;
+  WorkArguments work;
   IdentifyArguments identify;
   CalibrateArguments calibrate;
   CardArguments card;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cluster.hpp"
 #include "pages.hpp"
 #include "percal/base/progress.hpp"
 #include "percal/campaign/campaign.hpp"
@@ -28,8 +29,7 @@ using page::Json;
 struct Study {
   Study(const std::string& first_input, const StudyArguments& arguments, const Common& common)
       : folder(writable_folder(first_input, arguments, common)),
-        store(store_file(common)),
-        campaign(&store, common.threads) {}
+        runs(common, first_input.empty() ? "study" : first_input) {}
 
   page::Cost cost() const {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -49,8 +49,8 @@ struct Study {
 
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   std::string folder;
-  Store store;
-  Campaign campaign;
+  Runs runs;
+  Campaign& campaign = runs.campaign;
 };
 
 Exit checked_scene(const std::string& file, long runs, const Problem& largest, const Common& common) {
@@ -94,7 +94,7 @@ Exit error_vs_time_study(const StudyArguments& arguments, const Common& common) 
     Progress progress("study", ladder_runs(options));
     return run_ladder(scene, options, study.campaign, &progress);
   }();
-  keep_ladder(study.store, study_key(scene), ladder.options);
+  keep_ladder(study.runs.store, study_key(scene), ladder.options);
   const ErrorVsTime found = error_vs_time(ladder);
   std::vector<AdvisedSetting> advice;
   for (const double target : advised_errors) advice.push_back(advise(ladder, found, target));

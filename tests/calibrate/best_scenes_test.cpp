@@ -44,15 +44,14 @@ TEST_F(BestScenes, HaveTheNumericsThatTheCardsSay) {
   EXPECT_EQ(std::ranges::count(cards[0].comments, said), 1);
 }
 
-TEST_F(BestScenes, OfAJobWithoutAWidthAreAsWideAsTheFastestShotNeeds) {
+TEST_F(BestScenes, OfAJobWithoutAWidthAreAsWideAsAnyShotNeeds) {
   const CalibrationJob given = read_job();
   EXPECT_FALSE(given.width_was_chosen);
   for (const MeasuredShot& shot : given.shots) EXPECT_NEAR(shot.layer_width, 5 * shot.radius, 1e-12);
-  // The lead ball at 50 m/s into 10 kPa: pi4 = 250, and more than ten times as dense.
   const CalibrationJob chosen = read_job({{"layer_width_radii = 5\n", ""}});
   EXPECT_TRUE(chosen.width_was_chosen);
   for (const MeasuredShot& shot : chosen.shots) EXPECT_NEAR(shot.layer_width, 20 * shot.radius, 1e-12);
-  EXPECT_EQ(width_needed(given), 20);
+  EXPECT_EQ(width_needed(given), 20);  // the lead ball at 50 m/s into 10 kPa: pi4 = 250, and more than ten times as dense
 }
 
 }  // namespace

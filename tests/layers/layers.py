@@ -25,10 +25,12 @@ MAY_SEE = {
     "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
+    "cluster": ["base", "text", "problem", "impact", "observe", "store", "campaign"],
     "sweep": ["base", "math", "units", "text", "scaling", "scene", "problem", "impact", "observe", "store", "campaign", "plot", "page"],
+    "atlas": ["base", "math", "units", "text", "problem", "store", "invert", "campaign"],
     "predict": ["base", "math", "units", "text", "scene", "problem", "observe", "invert", "campaign", "plot", "page"],
     "one_depth": ["base", "math", "units", "text", "scene", "problem", "impact", "observe", "invert", "campaign", "predict", "plot", "page"],
-    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "predict", "plot", "page"],
+    "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "predict", "atlas", "plot", "page"],
 }
 
 # Rooms of a layer, in their order: a file includes rooms up to its own; one that lies beside them, none.

@@ -4,6 +4,8 @@
 #include <sys/types.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace percal {
 
@@ -13,5 +15,17 @@ std::optional<pid_t> start_program(char* const words[], const posix_spawn_file_a
 
 // Waits for its end: whether that was with exit code 0.
 bool ends_well(pid_t child);
+
+// What a program writes to its standard output.
+struct Answer {
+  bool ended_well = false;  // with exit code 0, having said no more than can be taken and not been silent for a minute
+  std::string text;
+};
+
+enum class Complaints { dropped, in_answer };  // its standard error
+
+// Runs a program with this text as its standard input, to its end. A program that cannot be started has not ended well.
+Answer answer_of(const std::vector<std::string>& words, const std::string& input,
+                 Complaints complaints = Complaints::dropped);
 
 }  // namespace percal

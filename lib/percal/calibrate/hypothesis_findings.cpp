@@ -285,8 +285,7 @@ void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::v
   const double width = job.shots.front().layer_width / job.shots.front().radius;
   const std::string warning = width_warning(width, width_needed(job));
   if (job.width_was_chosen)
-    sentences.push_back(fmt::format(
-        "The wall is at {:.4g} radii for all shots: the widest that any needs within the parameters' bounds.", width));
+    sentences.push_back(fmt::format("The wall is at {:.4g} radii for all shots, far enough for any.", width));
   else if (!warning.empty())
     sentences.push_back("Within the parameters' bounds " + warning + ".");
 }

@@ -190,7 +190,7 @@ struct CalibrationJob {
   std::vector<Hypothesis> hypotheses;  // never empty
   std::vector<CrossValidation> cross_validations;
   std::vector<PublishedPairs> published;
-  bool width_was_chosen = false;  // by width_needed(), since no shot has one
+  bool width_was_chosen = false;  // farthest_wall, since no shot has one
   TrainingSettings training;
   SolverScene solver;
   bool dehn = true;  // the closed form beside it

@@ -156,6 +156,7 @@ struct DehnResult {
 // The emulator of all hypotheses: what it was trained on, its own error.
 struct EmulatorReport {
   int runs = 0, reused = 0, foreign = 0;  // done here, taken from the store, of these not of this job's design
+  int from_atlas = 0;                     // besides
   std::map<std::string, int> outcomes;    // of its design, by name
   EmulatorSettings settings;
   double leave_one_out = 0, standardised_deviation = 0, coverage95 = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "percal/atlas/atlas.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/invert/depth_covariance.hpp"
@@ -24,6 +25,8 @@ constexpr int smallest_training = 24;
 constexpr int most_foreign = 600;
 constexpr double too_shallow =
     1;  // ln depth short of the shallowest measured one: under covers, such a sphere sticks in one
+constexpr std::size_t most_of_atlas = 600;
+constexpr int places_for_each = 64;  // of a shot's layer in the parameters' box, to be near to
 constexpr double coarsest_foreign = 6;  // elements, as the job's settings count them, that are fine enough for any job
 
 // Spheres that stick in a cover scatter far more than those that pass it, and tell nothing of data that all have passed.
@@ -47,10 +50,23 @@ Training::Training(const CalibrationJob& job, Store* store, Campaign& campaign, 
       campaign_(campaign),
       limits_(limits),
       least_learnt_(least_learnt(job)) {
+  take_runs_of_atlas();
   take_foreign_runs();
+  learn();
 }
 
-// Material numbers for a Sobol point: the parameters' boxes; the last coordinate chooses the shot.
+// The material numbers at a point of the unit cube: of the parameters' boxes.
+std::vector<double> Training::numbers_at(const Eigen::RowVectorXd& shares) const {
+  std::vector<double> natural;
+  for (std::size_t j = 0; j < job_.parameters.size(); ++j) {
+    const FreeParameter& p = job_.parameters[j].free;
+    const double low = p.searched(p.low), high = p.searched(p.high);
+    natural.push_back(p.natural(low + (high - low) * shares[static_cast<Eigen::Index>(j)]));
+  }
+  return natural;
+}
+
+// A Sobol point's last coordinate chooses the shot.
 std::vector<Problem> Training::space_filling_batch(int count) {
   const auto dimensions = static_cast<int>(job_.parameters.size()) + 1;
   const int looked_at = count * points_looked_at;
@@ -58,12 +74,7 @@ std::vector<Problem> Training::space_filling_batch(int count) {
   std::vector<Problem> batch;
   int k = 0;
   for (; k < looked_at && static_cast<int>(batch.size()) < count; ++k) {
-    std::vector<double> natural;
-    for (std::size_t j = 0; j < job_.parameters.size(); ++j) {
-      const FreeParameter& p = job_.parameters[j].free;
-      const double low = p.searched(p.low), high = p.searched(p.high);
-      natural.push_back(p.natural(low + (high - low) * points(k, static_cast<Eigen::Index>(j))));
-    }
+    const std::vector<double> natural = numbers_at(points.row(k));
     const auto shots = static_cast<double>(job_.shots.size());
     const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
     const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
@@ -82,9 +93,11 @@ std::vector<Problem> Training::space_filling_batch(int count) {
 }
 
 void Training::fill_space() {
-  while (design_runs_ < std::min(job_.training.initial, job_.training.most) && !out_of_time()) {
+  const int known = covers_of(job_) > 0 ? 0 : report_.from_atlas;  // which has no covers
+  const int initial = std::min(job_.training.initial, job_.training.most) - known;
+  while (design_runs_ < initial && !out_of_time()) {
     const int wanted = emulator_ ? job_.training.batch : first_round;
-    const auto batch = space_filling_batch(std::min(wanted, job_.training.most - design_runs_));
+    const auto batch = space_filling_batch(std::min(wanted, initial - design_runs_));
     if (batch.empty()) break;
     run(batch);
     learn();
@@ -160,18 +173,57 @@ void Training::learn() {
   report_.rounds.push_back({.runs = static_cast<int>(runs_.size()), .cpu_seconds = cpu_seconds_});
 }
 
+std::string Training::setting() const {
+  std::vector<double> natural;
+  for (const auto& [kind, free] : job_.parameters) natural.push_back(free.natural(free.middle()));
+  const MeasuredShot& shot = job_.shots.front();
+  const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
+  return setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
+}
+
+// Those whose sphere went about as deep as a measured one of about that density, at an exponent and a strain that the job allows: whatever
+// the modulus, which is what the job is about.
+void Training::take_runs_of_atlas() {
+  const Atlas* atlas = own_atlas(setting());
+  if (!atlas) return;
+  struct Sought {
+    SphereInputs at;
+    double log_depth;
+  };
+  std::vector<Sought> sought;
+  const Eigen::MatrixXd points = sobol_points(places_for_each, static_cast<int>(job_.parameters.size()), 0);
+  for (const MeasuredShot& shot : job_.shots) {
+    if (shot.datum == ShotDatum::none) continue;
+    for (Eigen::Index k = 0; k < points.rows(); ++k)
+      sought.push_back(
+          {shot_inputs(shot, target_at(job_, hypothesis_, job_.targets[shot.target], numbers_at(points.row(k)))).at,
+           std::log(shot.depth / shot.radius)});
+  }
+  const auto distance = [&](const TrainingRun& run) {
+    double least = INFINITY;
+    for (const auto& [at, log_depth] : sought) {
+      const double by_depth = (run.log_depth - log_depth) / 0.5, by_density = run.at.log_pi5 - at.log_pi5,
+                   by_alpha = (run.at.alpha - at.alpha) / 4, by_layer = (run.at.log_layer_depth - at.log_layer_depth) / 2,
+                   by_strain = std::log(run.at.erosion_strain / at.erosion_strain) / 0.6,
+                   by_length = (run.at.log_erosion_length - at.log_erosion_length) / 0.7;
+      least = std::min(least, by_depth * by_depth + by_density * by_density + by_alpha * by_alpha + by_layer * by_layer +
+                                  by_strain * by_strain + by_length * by_length);
+    }
+    return least;
+  };
+  std::vector<TrainingRun> usable;
+  for (const TrainingRun& run : atlas->runs)
+    if (run.log_depth >= least_learnt_ && (learns_passage(job_) || Atlas::stopped(run))) usable.push_back(run);
+  runs_ = nearest_runs(usable, most_of_atlas, distance);
+  report_.from_atlas = static_cast<int>(runs_.size());
+}
+
 void Training::take_foreign_runs() {
   if (!store_) return;
   const std::string name = foreign_note(job_, stored_spheres_prefix());
   std::vector<StoredSphere> stored = stored_spheres(*store_);
   std::sort(stored.begin(), stored.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
-  // The setting is that of any of the job's problems.
-  std::vector<double> natural;
-  for (const auto& [kind, free] : job_.parameters) natural.push_back(free.natural(free.middle()));
-  const MeasuredShot& shot = job_.shots.front();
-  const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
-  const std::string setting =
-      setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
+  const std::string setting = this->setting();
   const auto usable = [&](const StoredSphere& s) {
     return s.reach && std::log(*s.reach) >= least_learnt_ && s.problem.below.size() <= covers_of(job_) &&
            (learns_passage(job_) || s.outcome == word(Outcome::stopped)) && setting_of(s.problem) == setting &&
@@ -195,7 +247,6 @@ void Training::take_foreign_runs() {
     runs_.push_back(training_run(found->problem, *found->reach));
     ++report_.foreign;
   }
-  if (report_.foreign > 0) learn();
 }
 
 std::optional<std::string> Training::failures() const {

@@ -13,7 +13,7 @@ namespace percal {
 // of its own, whose keys begin with `key_prefix`, and keeps a note of its own.
 std::string foreign_note(const CalibrationJob& job, const std::string& key_prefix);
 
-// One design for all hypotheses. Runs of other jobs that the store has for the job's setting of the solver are taken in
+// One design for all hypotheses. Runs of the atlas that are like the data are its beginning, where there are such. Runs of other jobs that the store has for the job's setting of the solver are taken in
 // once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
 class Training {
  public:
@@ -47,10 +47,13 @@ class Training {
   std::optional<std::string> failures() const;
 
  private:
+  std::string setting() const;  // of the job's problems, any of them
+  void take_runs_of_atlas();
   void take_foreign_runs();
   void run(const std::vector<Problem>& problems);
   void count(const std::vector<Problem>& problems, const std::vector<std::optional<Evaluation>>& evaluations);
   void learn();
+  std::vector<double> numbers_at(const Eigen::RowVectorXd& shares) const;
   std::vector<Problem> space_filling_batch(int count);
 
   const CalibrationJob& job_;

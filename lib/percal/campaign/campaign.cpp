@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <new>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -88,9 +89,14 @@ double work_of(const Problem& problem) {
   return size.elements * size.steps;
 }
 
+StoredEvaluation as_stored(const Evaluation& evaluation) {
+  return {word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds};
+}
+
 struct Campaign::Books {
   std::mutex mutex;
   CampaignCost cost;
+  std::set<std::string> made_elsewhere;  // keys that were not counted yet
   double work = 0, wall_seconds = 0;  // of the runs done here
 
   void add(const Problem& problem, const Evaluation& evaluation) {
@@ -100,9 +106,14 @@ struct Campaign::Books {
     work += work_of(problem);
     wall_seconds += evaluation.wall_seconds;
   }
-  void add_reused() {
+  void add_found(const std::string& key, double cpu_seconds) {
     const std::lock_guard lock(mutex);
-    ++cost.reused;
+    if (made_elsewhere.erase(key) == 0) {
+      ++cost.reused;
+      return;
+    }
+    ++cost.runs;
+    cost.cpu_seconds += cpu_seconds;
   }
   double expected_seconds(const Problem& problem) {
     const std::lock_guard lock(mutex);
@@ -139,7 +150,7 @@ std::optional<Campaign::Attempt> Campaign::stored(const Task& task, bool& knows_
   Evaluation evaluation = read(*found);
   knows_less = lacks_something(evaluation.result, task.problem);
   if (knows_less) return std::nullopt;
-  books_->add_reused();
+  books_->add_found(task.key, evaluation.cpu_seconds);
   return Attempt{.evaluation = std::move(evaluation)};
 }
 
@@ -152,7 +163,7 @@ Campaign::Attempt Campaign::run_unless_too_late(const Task& task, int threads, c
   StopWatch watch(stop_wanted_, task.observer);
   Evaluation evaluation = run(task.problem, threads, stop_wanted_ ? &watch : task.observer);
   if (store_) {
-    const StoredEvaluation row{word(evaluation.result.outcome), to_payload(evaluation), evaluation.cpu_seconds};
+    const StoredEvaluation row = as_stored(evaluation);
     stored_knows_less ? store_->replace(task.key, row) : store_->put(task.key, row);
   }
   books_->add(task.problem, evaluation);
@@ -175,6 +186,7 @@ Campaign::Attempt Campaign::attempt(const Task& task, int threads, const Deadlin
 
 namespace {
 
+constexpr std::size_t worth_the_way = 4;               // runs
 constexpr std::chrono::milliseconds between_attempts{20};  // at what others are at
 
 // Problems that are the same are evaluated once; those with a history or a channel apart from those without.
@@ -227,6 +239,24 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate_by(const Deadline& dea
   return evaluate(problems, progress, {}, deadline);
 }
 
+// Those of `left` that the store lacks, where there are enough of them to be worth the way. Their keys; `progress` knows of them.
+std::set<std::string> Campaign::make_elsewhere(const std::vector<Task>& tasks, const std::vector<std::size_t>& left,
+                                               Progress* progress) {
+  if (!elsewhere_) return {};
+  std::vector<Problem> missing;
+  std::set<std::string> keys;
+  for (const std::size_t k : left) {
+    if (!tasks[k].is_shared || store_->find(tasks[k].key)) continue;
+    missing.push_back(tasks[k].problem);
+    keys.insert(tasks[k].key);
+  }
+  if (missing.size() < worth_the_way) return {};
+  elsewhere_->make(missing, progress);
+  const std::lock_guard lock(books_->mutex);
+  books_->made_elsewhere.insert(keys.begin(), keys.end());
+  return keys;
+}
+
 std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Problem>& problems, Progress* progress,
                                                           const Watch& watch, const Deadline& deadline) {
   std::vector<Task> tasks;
@@ -235,6 +265,7 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Prob
   auto [stands_for, left] = distinct_among(tasks);
   if (!deadline) put_longest_first(left, problems);
   std::vector<std::optional<Evaluation>> results(problems.size());
+  const std::set<std::string> told = make_elsewhere(tasks, left, progress);
   const int threads_each = std::max(1, threads_ / std::max(1, static_cast<int>(left.size())));
   MemoryRoom room(memory_.value_or(available_memory()));
   // What others are at is left to them, and asked for again when all the rest is done.
@@ -251,7 +282,7 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Prob
       }
       const bool ran_here = found.evaluation && !found.evaluation->reused;
       results[left[k]] = std::move(found.evaluation);
-      if (progress) progress->add(1, ran_here ? work_of(task.problem) : 0);
+      if (progress && !told.contains(task.key)) progress->add(1, ran_here ? work_of(task.problem) : 0);
     });
     if (busy.size() == left.size()) std::this_thread::sleep_for(between_attempts);
   }

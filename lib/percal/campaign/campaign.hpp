@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,17 @@ struct CampaignCost {
 struct Watch {
   FrameObserver* observer = nullptr;
   std::size_t problem = 0;
+};
+
+// As a store keeps it.
+StoredEvaluation as_stored(const Evaluation& evaluation);
+
+// Where runs of a batch are made before this process looks for them in its store: a cluster.
+class Elsewhere {
+ public:
+  virtual ~Elsewhere() = default;
+  // Problems that the store lacks, the longest first: it has them all when this returns. `progress` is told of each; it may be null.
+  virtual void make(const std::vector<Problem>& problems, Progress* progress) = 0;
 };
 
 // Thrown by a campaign that was asked to stop. What was finished before is in the store.
@@ -68,6 +80,9 @@ class Campaign {
   // Runs of a batch go side by side as long as they fit into so many bytes; left out, into what is available when it begins.
   void keep_within(double bytes) { memory_ = bytes; }
 
+  // Batches of several runs are made there; what is asked for one by one is not. Kept by the caller.
+  void have_made(Elsewhere& elsewhere) { elsewhere_ = &elsewhere; }
+
   // Asked before each run and at its every step, from several threads at once; where it answers yes, the run ends and Interrupted is
   // thrown.
   void stop_when(std::function<bool()> wanted) { stop_wanted_ = std::move(wanted); }
@@ -84,6 +99,8 @@ class Campaign {
   std::optional<Attempt> stored(const Task& task, bool& knows_less);
   std::vector<std::optional<Evaluation>> evaluate(const std::vector<Problem>& problems, Progress* progress,
                                                   const Watch& watch, const Deadline& deadline);
+  std::set<std::string> make_elsewhere(const std::vector<Task>& tasks, const std::vector<std::size_t>& left,
+                                       Progress* progress);
   Evaluation read(const StoredEvaluation& stored) const;
 
   struct Books;
@@ -91,6 +108,7 @@ class Campaign {
   int threads_;
   std::function<bool()> stop_wanted_;  // may be empty
   std::optional<double> memory_;       // bytes
+  Elsewhere* elsewhere_ = nullptr;     // none: all runs are made here
   std::shared_ptr<Books> books_;
 };
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <stdexcept>
 
 #include "percal/base/error.hpp"
+#include "percal/base/version.hpp"
 #include "percal/impact/kernel/kernel.hpp"
 #include "percal/invert/reach.hpp"
 #include "percal/observe/stored_run.hpp"
@@ -18,10 +20,9 @@ namespace {
 
 static_assert(phase_span < one_mesh_span, "the phases of one mesh must not be taken for several meshes");
 
-bool is_for_an_emulator(const Problem& problem) {
-  return problem.geometry == Geometry::axisymmetric && std::holds_alternative<StrainErosion>(problem.erosion) &&
-         problem.below.size() <= most_covers &&
-         std::ranges::all_of(problem.below, [](const LowerLayer& layer) { return layer.erosion_limit > 0 && std::isfinite(layer.erosion_limit); });
+bool is_plain(const LowerLayer& layer) {
+  return layer.erosion_limit > 0 && std::isfinite(layer.erosion_limit) && layer.further_erosion.is_empty() &&
+         layer.stretch == 1 && std::holds_alternative<NoFibres>(layer.fibres);
 }
 
 double engineering_strain(double limit, StrainMeasure measure) {
@@ -44,6 +45,14 @@ std::optional<double> reach_of(const Problem& problem, const StoredEvaluation& e
 }
 
 }  // namespace
+
+bool is_for_an_emulator(const Problem& p) {
+  return std::holds_alternative<RigidSphere>(p.particle) && p.geometry == Geometry::axisymmetric &&
+         std::holds_alternative<StrainErosion>(p.erosion) && p.further_erosion.is_empty() && p.stretch == 1 &&
+         std::holds_alternative<NoFibres>(p.fibres) && std::holds_alternative<NoRelaxation>(p.relaxation) &&
+         std::holds_alternative<NoFriction>(p.friction) && p.below.size() <= most_covers &&
+         std::ranges::all_of(p.below, is_plain);
+}
 
 std::string stored_spheres_prefix() { return sphere_key_prefix(instruction_level()); }
 
@@ -105,6 +114,25 @@ std::string setting_of(const Problem& problem) {
   plain.elements_per_radius = 1;
   plain.until = RunUntil::deepest;  // the depth is the same
   return evaluation_key(plain, "any");
+}
+
+Problem problem_of(const std::string& setting, const TrainingRun& run) {
+  static const std::regex version("solver=[0-9]+");
+  const std::string now = std::regex_replace(setting, version, fmt::format("solver={}", solver_version));
+  auto problem = problem_of_key(now, "any");
+  if (!problem) throw BadInput({}, "\"" + setting + "\"", "a setting of the solver, as setting_of() writes it");
+  const double length = erosion_length(*problem) ? std::exp(run.at.log_erosion_length) : 1;
+  problem->pi4 = round_to_12_digits(std::exp(run.at.log_pi4));
+  problem->density_ratio = round_to_12_digits(std::exp(-run.at.log_pi5));
+  problem->alpha = round_to_12_digits(run.at.alpha);
+  problem->depth = round_to_12_digits(std::exp(run.at.log_layer_depth));
+  problem->bulk_ratio = round_to_12_digits(std::exp(run.at.log_bulk_ratio));
+  problem->erosion = StrainErosion{round_to_12_digits(run.at.erosion_strain)};
+  if (erosion_length(*problem)) problem->erosion_average = AverageWithin{round_to_12_digits(length)};
+  problem->until = RunUntil::passage;
+  problem->elements_per_radius = round_to_12_digits(1 / (run.h * length));
+  if (problem->graded_columns == 0) problem->graded_columns = usual_graded_columns(*problem);
+  return *problem;
 }
 
 std::optional<double> reach_of(const Problem& problem, const ImpactResult& result) {

@@ -11,6 +11,9 @@
 
 namespace percal {
 
+// A rigid sphere in one layer, or in one with covers, that erodes by strain; axisymmetric, without relaxation, fibres, stretch or friction.
+bool is_for_an_emulator(const Problem& problem);
+
 struct StoredSphere {
   Problem problem;
   std::string key;
@@ -19,8 +22,8 @@ struct StoredSphere {
   double cpu_seconds = 0;
 };
 
-// Every evaluation of the store that this solver version made at this machine's instruction level of a rigid sphere in one layer,
-// or in one with covers, that erodes by strain, axisymmetric and without relaxation; in the order of the keys. Throws IoFailure.
+// Every evaluation of the store that this solver version made at this machine's instruction level and that is_for_an_emulator(); in the
+// order of the keys. Throws IoFailure.
 std::vector<StoredSphere> stored_spheres(const Store& store);
 // What their keys begin with.
 std::string stored_spheres_prefix();
@@ -41,6 +44,10 @@ SphereInputs inputs_of(const Problem& problem);
 // Whatever else decides the depth, but the sizes of the elements and of an erosion length: two problems with the same text belong to one emulator. Contact,
 // wall and bottom, viscosities, arithmetic, the solver's version, ... Of a problem with StrainErosion; its measure is not in it.
 std::string setting_of(const Problem& problem);
+
+// The run of a sphere in one layer in this setting, by this version of the solver; log_depth is not looked at. Throws BadInput for a text that
+// is no setting.
+Problem problem_of(const std::string& setting, const TrainingRun& run);
 
 // In radii (invert/reach.hpp): the depth of a run that stopped; of one that went on past the lower face (RunUntil::passage or rest) what its
 // speed left says, or the layer's depth where the sphere was held there. Nothing of other ends, and of one that lost less than a

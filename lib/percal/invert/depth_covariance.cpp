@@ -192,29 +192,41 @@ Eigen::MatrixXd DepthCovariance::of_runs(const MeshPoints& runs) const {
   return covariance;
 }
 
-DepthCovariance::WeightedSum DepthCovariance::weighted_sum(const Eigen::VectorXd& at, double h, const MeshPoints& runs,
-                                                           const Eigen::VectorXd& weights) const {
-  const CovarianceParameters& p = parameters_;
-  const Eigen::VectorXd mesh_weights = mesh_factors(runs.h).cwiseProduct(weights);
-  const double mesh_here = has_mesh() ? std::pow(h, p.mesh_order) : 0;
-  const Eigen::VectorXd plane = runs.inputs.transpose() * weights;  // sum of weights times inputs
-
-  WeightedSum sum;
-  sum.value = plane_variance_ * (weights.sum() + at.dot(plane) + mesh_here * mesh_weights.sum());
-  sum.gradient = plane_variance_ * plane;
-
-  // factor sum_i w_i c(s_i), with ds_i/dx_j = 2 (x_j - x_ij)/length_j^2.
-  const auto add_smooth = [&](double factor, const Eigen::VectorXd& w, const Eigen::VectorXd& length) {
-    Eigen::ArrayXd s = Eigen::ArrayXd::Zero(runs.inputs.rows());
-    for (Eigen::Index j = 0; j < runs.inputs.cols(); ++j)
-      s += ((runs.inputs.col(j).array() - at[j]) / length[j]).square();
-    sum.value += factor * w.dot(Correlation::value(s).matrix());
-    const Eigen::VectorXd slopes = w.array() * Correlation::slope(s);
-    const Eigen::VectorXd towards = slopes.sum() * at - runs.inputs.transpose() * slopes;
-    sum.gradient += 2 * factor * towards.cwiseQuotient(length.cwiseAbs2());
+WeightedCovariance::WeightedCovariance(const DepthCovariance& covariance, const MeshPoints& runs,
+                                       const Eigen::VectorXd& weights)
+    : mesh_order_(covariance.parameters_.mesh_order),
+      plane_variance_(covariance.plane_variance_),
+      all_weights_(weights.sum()),
+      plane_(runs.inputs.transpose() * weights) {
+  const CovarianceParameters& p = covariance.parameters_;
+  const auto smooth = [&](double amplitude, const Eigen::VectorXd& w, const Eigen::VectorXd& length) {
+    return Smooth{square(amplitude), length, w, (runs.inputs * length.cwiseInverse().asDiagonal()).array()};
   };
-  add_smooth(square(p.amplitude), weights, p.length);
-  if (mesh_here > 0) add_smooth(square(p.mesh_amplitude) * mesh_here, mesh_weights, p.mesh_length);
+  own_ = smooth(p.amplitude, weights, p.length);
+  const Eigen::VectorXd mesh_weights = covariance.mesh_factors(runs.h).cwiseProduct(weights);
+  all_mesh_weights_ = mesh_weights.sum();
+  if (covariance.has_mesh()) mesh_ = smooth(p.mesh_amplitude, mesh_weights, p.mesh_length);
+}
+
+// With u in lengths ds_i/du_j = 2 (u_j - u_ij).
+void WeightedCovariance::Smooth::add_to(Sum& sum, const Eigen::VectorXd& at, double times) const {
+  const Eigen::VectorXd here = at.cwiseQuotient(length);
+  Eigen::ArrayXd s = (inputs.col(0) - here[0]).square();
+  for (Eigen::Index j = 1; j < inputs.cols(); ++j) s += (inputs.col(j) - here[j]).square();
+  Eigen::ArrayXd value, slope;
+  Correlation::both(s, value, slope);
+  sum.value += factor * times * weights.dot(value.matrix());
+  const Eigen::VectorXd slopes = weights.array() * slope;
+  const Eigen::VectorXd towards = slopes.sum() * here - inputs.matrix().transpose() * slopes;
+  sum.gradient += 2 * factor * times * towards.cwiseQuotient(length);
+}
+
+WeightedCovariance::Sum WeightedCovariance::at(const Eigen::VectorXd& inputs, double h) const {
+  const double mesh_here = mesh_.factor > 0 ? std::pow(h, mesh_order_) : 0;
+  Sum sum{.value = plane_variance_ * (all_weights_ + inputs.dot(plane_) + mesh_here * all_mesh_weights_),
+          .gradient = plane_variance_ * plane_};
+  own_.add_to(sum, inputs, 1);
+  if (mesh_here > 0) mesh_.add_to(sum, inputs, mesh_here);
   return sum;
 }
 

@@ -71,14 +71,6 @@ class DepthCovariance {
   Eigen::MatrixXd of_runs(const MeshPoints& runs) const;
   double noise(double h) const;  // standard deviation; h over 0.1
 
-  // sum_i weights_i cov(at, run_i), and its derivative with respect to the scaled inputs of `at`.
-  struct WeightedSum {
-    double value = 0;
-    Eigen::VectorXd gradient;
-  };
-  WeightedSum weighted_sum(const Eigen::VectorXd& at, double h, const MeshPoints& runs,
-                           const Eigen::VectorXd& weights) const;
-
   // Of sum_ab G_ab K_ab (K as of_runs says, G symmetric) with respect to the parameters. Amplitudes, lengths and noise stand for
   // their logarithms.
   CovarianceParameters contracted_gradient(const MeshPoints& runs, const Eigen::MatrixXd& g) const;
@@ -87,8 +79,35 @@ class DepthCovariance {
   bool has_mesh() const { return parameters_.mesh_amplitude > 0; }
   Eigen::VectorXd mesh_factors(const Eigen::VectorXd& h) const;  // h^q; 0 where there is no mesh part
 
+  friend class WeightedCovariance;
   CovarianceParameters parameters_;
   double plane_variance_;
+};
+
+// sum_i weights_i cov(at, run_i) for many `at`, with its derivative: the mean of a process, (6) and (7). What does not hang on `at` is
+// computed once.
+class WeightedCovariance {
+ public:
+  WeightedCovariance(const DepthCovariance& covariance, const MeshPoints& runs, const Eigen::VectorXd& weights);
+
+  struct Sum {
+    double value = 0;
+    Eigen::VectorXd gradient;  // with respect to the scaled inputs of `at`
+  };
+  Sum at(const Eigen::VectorXd& inputs, double h) const;
+
+ private:
+  // factor sum_i w_i c(s_i) with s_i the squared distance in lengths
+  struct Smooth {
+    double factor = 0;
+    Eigen::VectorXd length, weights;
+    Eigen::ArrayXXd inputs;  // of the runs, in lengths: runs x inputs
+    void add_to(Sum& sum, const Eigen::VectorXd& at, double times) const;
+  };
+  Smooth own_, mesh_;
+  double mesh_order_, plane_variance_;
+  double all_weights_, all_mesh_weights_;
+  Eigen::VectorXd plane_;  // sum of weights times inputs
 };
 
 }  // namespace percal

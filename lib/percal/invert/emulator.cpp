@@ -62,7 +62,8 @@ struct Emulator::State {
         settings(found),
         data(checked(runs)),
         covariance(covariance_parameters(settings, data.scale), data.plane_deviation),
-        process(conditioned(covariance, data)) {}
+        process(conditioned(covariance, data)),
+        mean(covariance, data.points, process.weights()) {}
 
   MeshPoints points(const std::vector<SphereInputs>& at, double h) const {
     MeshPoints points{Eigen::MatrixXd(at.size(), data.scale.inputs()),
@@ -76,6 +77,7 @@ struct Emulator::State {
   TrainingData data;
   DepthCovariance covariance;
   GaussianProcess process;
+  WeightedCovariance mean;
 };
 
 Emulator::Emulator(std::vector<TrainingRun> runs, const EmulatorOptions& options) {
@@ -87,13 +89,12 @@ Emulator::Emulator(std::vector<TrainingRun> runs, const EmulatorSettings& settin
     : state_(std::make_shared<const State>(std::move(runs), settings)) {}
 
 DepthAnswers Emulator::depth(const std::vector<SphereInputs>& at, double h, bool with_covariance) const {
-  const auto& [runs, settings, data, covariance, process] = *state_;
+  const auto& [runs, settings, data, covariance, process, mean] = *state_;
   const MeshPoints points = state_->points(at, h);
   const auto count = static_cast<Eigen::Index>(at.size());
   DepthAnswers answers{Eigen::VectorXd(count), Eigen::MatrixXd(count, sphere_inputs), {}};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const auto sum =
-        covariance.weighted_sum(points.inputs.row(i).transpose(), points.h[i], data.points, process.weights());
+    const auto sum = mean.at(points.inputs.row(i).transpose(), points.h[i]);
     answers.log_depth[i] = data.mean + sum.value;
     answers.gradient.row(i) = data.scale.unscaled_gradient(at[i], sum.gradient).transpose();
   }
@@ -128,7 +129,7 @@ std::vector<int> Emulator::choose(const std::vector<CandidateRun>& candidates, i
                                   const std::vector<SphereInputs>& targets, const std::vector<double>& weights,
                                   double h_target) const {
   assert(targets.size() == weights.size());
-  const auto& [runs, settings, data, covariance, process] = *state_;
+  const auto& [runs, settings, data, covariance, process, mean] = *state_;
   const auto size = static_cast<Eigen::Index>(candidates.size());
   std::vector<SphereInputs> places;
   Eigen::VectorXd h(size), noise_variance(size), cost(size);

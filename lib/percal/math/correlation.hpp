@@ -30,6 +30,13 @@ struct Matern52 {
     const typename Array::PlainObject r = (5 * s).sqrt();
     return -5.0 / 6 * (1 + r) * (-r).exp();
   }
+  // Both by one exponential.
+  template <class Array>
+  static void both(const Array& s, Array& value, Array& slope) {
+    const Array r = (5 * s).sqrt(), decay = (-r).exp();
+    value = (1 + r + r.square() / 3) * decay;
+    slope = -5.0 / 6 * (1 + r) * decay;
+  }
 };
 
 // s of every row of `a` (n x d) with every row of `b` (m x d): n x m. Lengths not 0.

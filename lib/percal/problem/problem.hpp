@@ -52,6 +52,8 @@ struct Problem {
   // Past the deepest point: ImpactResult::aftermath. Changes nothing else that a run says of its depth.
   RunUntil until = RunUntil::deepest;
 
+  bool operator==(const Problem&) const = default;
+
   double mu() const { return 1 / pi4; }
   double bulk() const { return bulk_ratio / pi4; }
   double whole_depth() const;  // of all layers
@@ -117,11 +119,11 @@ Reduction reduce(const Scene& scene);
 // The canonical text of a problem: every number that decides the result, the solver's version and the instruction level.
 std::string evaluation_key(const Problem& problem, const std::string& instruction_level);
 
-// The problem of which `key` is the evaluation_key at this instruction level. Nothing where it is of another solver version or
-// level, or of anything but a rigid sphere in one layer without relaxation.
+// The problem of which `key` is the evaluation_key at this instruction level, to the last bit, as all its numbers have 12 digits. Nothing where
+// it is of another solver version or level.
 std::optional<Problem> problem_of_key(const std::string& key, const std::string& instruction_level);
 
-// What every such key of this solver version begins with.
+// What every key of a rigid sphere of this solver version begins with.
 std::string sphere_key_prefix(const std::string& instruction_level);
 
 // x rounded to 12 significant digits.

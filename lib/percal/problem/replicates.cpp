@@ -18,7 +18,7 @@ double replicate_mesh(double elements_per_radius, int index, int count) {
 
 double replicate_speed_factor(int step) {
   const int away = (step + 1) / 2;
-  return 1 + (step % 2 == 1 ? 0.001 : -0.001) * away;
+  return round_to_12_digits(1 + (step % 2 == 1 ? 0.001 : -0.001) * away);
 }
 
 double replicate_speed(int index, int count) {

@@ -9,7 +9,7 @@
 namespace percal {
 namespace {
 
-constexpr double near_wall = 5, far_wall = 12, farthest_wall = 20;  // radii
+constexpr double near_wall = 5, far_wall = 12;  // radii
 constexpr double fast_from = 30;                                    // pi4
 constexpr double heavy_above = 10;                                  // particle's density over the target's
 

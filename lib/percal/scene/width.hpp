@@ -6,7 +6,9 @@
 
 namespace percal {
 
-// In particle radii: 5 for slow shots, 12 for fast ones, 20 for those that are heavy as well. pi4: rho_t v^2/mu of the layer with
+inline constexpr double farthest_wall = 20;  // radii: far enough for every shot
+
+// In particle radii: 5 for slow shots, 12 for fast ones, farthest_wall for those that are heavy as well. pi4: rho_t v^2/mu of the layer with
 // the largest; density_ratio: particle over target.     docs/theory/impact.md (8c)
 double usual_width(double pi4, double density_ratio);
 

@@ -70,7 +70,7 @@ void settle_width(CalibrationJob& job) {
   double radii = 0;
   for (const MeasuredShot& shot : job.shots) radii = std::max(radii, shot.layer_width / shot.radius);
   job.width_was_chosen = radii == 0;
-  if (job.width_was_chosen) radii = width_needed(job);
+  if (job.width_was_chosen) radii = farthest_wall;
   for (MeasuredShot& shot : job.shots)
     if (shot.layer_width == 0) shot.layer_width = radii * shot.radius;
 }
