@@ -1,8 +1,8 @@
 """Writes joint_shots.csv: depths of balls in the gel of joint.toml, by percal's own solver, with noise.
 
-    python3 data/synthetic/make_joint_shots.py PERCAL      writes the file beside this script; takes some minutes
+    python3 data/synthetic/make_joint_shots.py PERCAL      writes the file beside this script; takes half a minute
 
-Each depth is the mean of three runs on 20 elements per radius, times exp(4 % z) with z standard normal. The solver's bits depend on the
+Each depth is the mean of five runs on 10 elements per radius with the wall at 20 radii, times exp(4 % z) with z standard normal. The solver's bits depend on the
 processor's instruction level, so that another machine writes depths that differ by the solver's own scatter (about 1 %).
 """
 import json
@@ -15,7 +15,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 MU_KPA, ALPHA, EROSION_STRAIN, DENSITY = 120.0, 6.0, 1.1, 1010
-ELEMENTS, REPLICATES, SCATTER, SEED = 20, 3, 0.04, 20090334
+ELEMENTS, REPLICATES, WALL, SCATTER, SEED = 10, 5, 20, 0.04, 20090334
 BALLS = [("steel", 7800, 3.18, [45, 55, 65, 78, 90]), ("steel", 7800, 2.39, [80, 95, 110]),
          ("tungsten carbide", 15600, 1.59, [55, 70, 85])]
 SCENE = """[particle]
@@ -48,7 +48,7 @@ def normal(uniform):
 def depth_cm(percal, folder, density, diameter, speed):
     scene = folder / "shot.toml"
     scene.write_text(SCENE.format(radius=diameter / 2, density=density, speed=speed, gel=DENSITY, mu=MU_KPA, alpha=ALPHA,
-                                  width=5 * diameter / 2, strain=EROSION_STRAIN, elements=ELEMENTS))
+                                  width=WALL * diameter / 2, strain=EROSION_STRAIN, elements=ELEMENTS))
     run = subprocess.run([percal, "impact", str(scene), "--json", "--replicates", str(REPLICATES), "--out", str(folder / "out")],
                          check=True, capture_output=True, text=True)
     return 100 * json.loads(run.stdout)["depth_m"]
@@ -59,7 +59,7 @@ def main(percal):
     lines = ["# SYNTHETIC: made by data/synthetic/make_joint_shots.py with percal's own solver, not measured.",
              f"# Gel: {DENSITY} kg/m3, mu = {MU_KPA:g} kPa (small-strain shear modulus), alpha = {ALPHA:g}, erosion strain {EROSION_STRAIN:g}"
              f" (engineering); seed {SEED}",
-             f"# Depth: mean of {REPLICATES} runs on {ELEMENTS} elements per radius, times exp({SCATTER:g} z), z standard normal",
+             f"# Depth: mean of {REPLICATES} runs on {ELEMENTS} elements per radius, the wall at {WALL} radii, times exp({SCATTER:g} z), z standard normal",
              "material,density_kg_m3,diameter_mm,velocity_m_s,penetration_cm"]
     with tempfile.TemporaryDirectory() as name:
         for material, density, diameter, speeds in BALLS:

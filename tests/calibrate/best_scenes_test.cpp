@@ -24,7 +24,7 @@ TEST_F(BestScenes, AreTheShotsOnTheMeshOfTheFreshRuns) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const Scene scene = parse_scene(scene_to_toml(scenes[i].scene, "found"), scenes[i].name);
     EXPECT_EQ(scene.mesh.elements_per_radius, job.training.verify);
-    EXPECT_EQ(scene.replicates, job.training.verify_replicates);
+    EXPECT_EQ(scene.replicates, usual_replicates);
     EXPECT_EQ(scene.particle.radius, job.shots[i].radius);
     EXPECT_EQ(scene.particle.speed, job.shots[i].speed);
     const Problem problem = reduce(scene).problem;

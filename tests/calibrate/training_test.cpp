@@ -137,5 +137,19 @@ TEST_F(CalibrationRuns, EveryCombinationOfEmptyPartsIsCalibratedOrRefused) {
     }
 }
 
+// The atlas is of the default setting with the wall at 20 radii.
+TEST_F(CalibrationRuns, BeginWithRunsOfTheAtlasWhereItIsOfTheirSetting) {
+  EXPECT_EQ(Training(job_, &store_, campaign_, limits_).report().from_atlas, 0) << "the wall is nearer";
+  for (MeasuredShot& shot : job_.shots) shot.layer_width = 20 * shot.radius;
+  Training training(job_, &store_, campaign_, limits_);
+  ASSERT_TRUE(training.has_emulator()) << "before any run";
+  const auto& runs = training.emulator().runs();
+  EXPECT_EQ(training.report().from_atlas, static_cast<int>(runs.size()));
+  EXPECT_EQ(runs.size(), 600);
+  for (const TrainingRun& run : runs) EXPECT_LT(run.log_depth, run.at.log_layer_depth) << "no shot tells of passing";
+  training.fill_space();
+  EXPECT_EQ(training.report().runs, 0) << "the design is the atlas";
+}
+
 }  // namespace
 }  // namespace percal

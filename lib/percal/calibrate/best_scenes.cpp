@@ -31,7 +31,7 @@ std::vector<BestScene> best_scenes(const CalibrationJob& job, const CalibrationR
       const CoveredMaterial material = target_at(job, hypothesis, target, natural);
       Scene scene = shot_scene(job, shot, material, mesh_of(shot, material, job.training.verify));
       name_layers(scene, job, target);
-      scene.replicates = job.training.verify_replicates;
+      scene.replicates = usual_replicates;
       scenes.push_back({fmt::format("hypothesis_{}_shot_{}", found.index + 1, ++number), std::move(scene)});
     }
   }

@@ -165,7 +165,7 @@ struct PublishedPairs {
 // How runs are spent on the emulator.
 struct TrainingSettings {
   // Elements per radius, or in the erosion length where the materials have one; training runs draw theirs about the first two.
-  double coarse = 8, fine = 16, verify = 20;
+  double coarse = 6, fine = 8, verify = 10;
   int initial = 160;                // runs of the first, space-filling design, coarse
   int batch = 40;                   // runs of each later round
   int most = 900;                   // runs altogether, for each emulator
@@ -174,7 +174,7 @@ struct TrainingSettings {
   double failures_tolerated = 0.5;  // share of runs without a depth; above it the job stops and says why
   bool passage =
       false;  // runs that pass their layer go on, and are learnt from, whether or not a shot tells of passing
-  int verify_replicates = usual_replicates;
+  int verify_replicates = 1;  // all shots together tell whether the emulator holds
   unsigned seed = 20090401;  // of points drawn from the data, and of the phases of the training meshes
 };
 

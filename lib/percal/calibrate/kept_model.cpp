@@ -49,7 +49,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
   ShotModel kept{.level = job.level,
                  .elements = job.training.verify,
                  .passage = learns_passage(job),
-                 .replicates = job.training.verify_replicates,
+                 .replicates = usual_replicates,
                  .scene = {},
                  .shots = {},
                  .runs = emulator.runs(),

@@ -262,7 +262,8 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Prob
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < problems.size(); ++i)
     tasks.push_back(task_of(problems[i], i == watch.problem ? watch.observer : nullptr));
-  auto [stands_for, left] = distinct_among(tasks);
+  const Distinct distinct = distinct_among(tasks);
+  std::vector<std::size_t> left = distinct.first;
   if (!deadline) put_longest_first(left, problems);
   std::vector<std::optional<Evaluation>> results(problems.size());
   const std::set<std::string> told = make_elsewhere(tasks, left, progress);
@@ -287,8 +288,8 @@ std::vector<std::optional<Evaluation>> Campaign::evaluate(const std::vector<Prob
     if (busy.size() == left.size()) std::this_thread::sleep_for(between_attempts);
   }
   for (std::size_t i = 0; i < problems.size(); ++i)
-    if (stands_for[i] != i) {
-      results[i] = results[stands_for[i]];
+    if (const std::size_t same = distinct.stands_for[i]; same != i) {
+      results[i] = results[same];
       if (progress) progress->add();
     }
   return results;

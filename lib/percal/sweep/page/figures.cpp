@@ -193,11 +193,10 @@ bool has_a_number_to_show(const Shown& shown) {
 
 // The first number goes along the axis; then what makes lines or the other side of a map, then the rest.
 void put_numbers_first(std::vector<Swept>& axes, bool makes_lines) {
-  std::ranges::stable_partition(axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(axes.size()),
-                                [](const Swept& axis) { return axis.is_number; });
+  std::stable_partition(axes.begin(), axes.end(), [](const Swept& axis) { return axis.is_number; });
   if (makes_lines && axes.size() > 2 && axes[1].words.size() > most_lines)
-    std::ranges::stable_partition(axes.begin() + 1, axes.end(),
-                                  [](const Swept& axis) { return axis.words.size() <= most_lines; });
+    std::stable_partition(axes.begin() + 1, axes.end(),
+                          [](const Swept& axis) { return axis.words.size() <= most_lines; });
 }
 
 }  // namespace
