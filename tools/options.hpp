@@ -16,6 +16,7 @@ struct Arguments {
   ScaleArguments scale;
   ImpactArguments impact;
   PredictArguments predict;
+  PowderArguments dose, design;
   InvertArguments invert;
   StudyArguments study;
   CampaignArguments campaign;
