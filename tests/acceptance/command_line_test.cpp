@@ -80,7 +80,7 @@ TEST_F(CommandLine, ADocumentOfAnotherCommandIsCalledWhatItIs) {
       {test::guha2009 + "skin.toml", "found a job of percal identify"},
       {PERCAL_DATA "/synthetic/joint.toml", "found a job of percal calibrate"},
       {test::guha2009 + "gold_sweep.toml", "found a plan of percal campaign"},
-      {test::guha2009 + "gold_dose.toml", "found a job of percal dose"}};
+      {test::guha2009 + "gold_dose.toml", "found a job of percal dose and percal design"}};
   const std::vector<std::pair<std::string, std::string>> commands{{"impact", "a scene"},
                                                                   {"study --omissions", "a scene"},
                                                                   {"scale", "percal scale"},

@@ -52,7 +52,7 @@ TEST_F(DesignTest, TheBestIsTheAnalyticOptimum) {
   // The line of best speeds is that of the optimum, at every radius that has one.
   for (const DesignPoint& point : design.line)
     if (point.middle.speed > 250 && point.middle.speed < 1200) {
-      EXPECT_NEAR(closed_form(law_, at(point.middle), By::mass).mean, truth.mean, 0.11);  // half a step of the map
+      EXPECT_NEAR(closed_form(law_, at(point.middle), By::mass).mean, truth.mean, 0.02);
     }
 }
 

@@ -63,7 +63,7 @@ TEST_F(PowderJobTest, WhatCannotBeUsedIsRefusedByItsName) {
       {test::PowderFolder::job(fixed + "radius = \"1 um\"\ndiameter = \"2 um\"\n"),
        {"powder.diameter", "beside radius"}},
       {test::PowderFolder::job(fixed), {"powder.radius", "no such key"}},
-      {test::PowderFolder::job("radius = 1e-6\n" + fixed), {"job.toml:5", "powder.radius", "length with its unit"}},
+      {test::PowderFolder::job("radius = 1e-6\n" + fixed), {"job.toml:6", "powder.radius", "length with its unit"}},
       {test::PowderFolder::job("radius = \"1 kg\"\n" + fixed), {"powder.radius", "\"1 kg\""}},
       {test::PowderFolder::job(fixed + "[powder.radius]\nmedian = \"1 um\"\ngeometric_deviation = 1.5\n"),
        {"powder.radius.weighting", "\"number\", \"mass\""}},

@@ -18,8 +18,9 @@ class PowderFolder : public Program {
   static inline const std::string sizes =
       "[powder.radius]\nmedian = \"1.59 mm\"\ngeometric_deviation = 1.1\nweighting = \"number\"\n";
   static inline const std::string speeds = "[powder.speed]\nmedian = \"80 m/s\"\ngeometric_deviation = 1.05\n";
-  static std::string job(const std::string& powder, const std::string& head = "bounce = \"none\"\n",
-                         const std::string& rest = "") {
+  // Deep enough for them: they go some 140 mm deep.
+  static inline const std::string no_bounce = "bounce = \"none\"\nlayer_depth = \"200 mm\"\n";
+  static std::string job(const std::string& powder, const std::string& head = no_bounce, const std::string& rest = "") {
     return "calibration = \"gel.json\"\n" + head + "[powder]\ndensity = \"7800 kg/m3\"\n" + powder + rest;
   }
   PowderJob read_job(const std::string& text) const {

@@ -197,6 +197,29 @@ Tolerance tolerance(double best, const SearchRange& range, const Dose& dose_at, 
   return found;
 }
 
+// Where the parabola through three values at even steps is largest, in steps from the middle one.
+double top_of_parabola(double before, double middle, double after) {
+  const double bend = before - 2 * middle + after;
+  return bend < 0 ? std::clamp(0.5 * (before - after) / bend, -1.0, 1.0) : 0;
+}
+
+// For each radius of the map the speed of the largest dose that is allowed.
+std::vector<DesignPoint> best_line(const Candidates& candidates, std::span<const DesignPoint> map, int side) {
+  std::vector<DesignPoint> line;
+  for (auto row = map; !row.empty(); row = row.subspan(static_cast<std::size_t>(side))) {
+    const auto speeds = row.first(static_cast<std::size_t>(side));
+    const DesignPoint* best = best_of(speeds);
+    if (!best) continue;
+    line.push_back(*best);
+    if (best == &speeds.front() || best == &speeds.back()) continue;
+    const double shift = top_of_parabola(best[-1].shares.dose, best->shares.dose, best[1].shares.dose),
+                 speed = best->middle.speed * std::pow(best[1].middle.speed / best->middle.speed, shift);
+    const DesignPoint between = candidates.at(best->middle.radius, speed);
+    if (between.allowed && between.shares.dose > best->shares.dose) line.back() = between;
+  }
+  return line;
+}
+
 // The speed of the largest dose at this radius, for each draw.
 Tolerance best_speeds(const Candidates& candidates, double radius, double level) {
   const auto speeds = log_spaced(candidates.speeds(), speeds_of_line);
@@ -210,11 +233,8 @@ Tolerance best_speeds(const Candidates& candidates, double radius, double level)
   for (Index draw = 0; draw < doses.rows(); ++draw) {
     Index at = 0;
     doses.row(draw).maxCoeff(&at);
-    double shift = 0;  // of the parabola through three points
-    if (at > 0 && at + 1 < doses.cols()) {
-      const double before = doses(draw, at - 1), here = doses(draw, at), after = doses(draw, at + 1);
-      if (const double bend = before - 2 * here + after; bend < 0) shift = 0.5 * (before - after) / bend;
-    }
+    const bool is_inside = at > 0 && at + 1 < doses.cols();
+    const double shift = is_inside ? top_of_parabola(doses(draw, at - 1), doses(draw, at), doses(draw, at + 1)) : 0;
     best[draw] = speeds[static_cast<std::size_t>(at)] * std::pow(speeds[1] / speeds[0], shift);
   }
   const DoseEstimate found = estimate_of(best, level);
@@ -295,13 +315,10 @@ PowderDesign design_of(const Powder& powder, const ForwardModel& model, const Do
     design.map = std::move(map);
     if (!is_best) continue;
     design.best = design.by_density.back();
+    design.line = best_line(candidates, design.map, asked.map);
     look_about(candidates, question, asked, design);
   }
   if (!design.best) return design;
-  const auto side = static_cast<std::size_t>(asked.map);
-  for (std::size_t row = 0; row < side; ++row)
-    if (const DesignPoint* best = best_of(std::span(design.map).subspan(row * side, side)))
-      design.line.push_back(*best);
   estimate_best(powder, model, question, asked, design);
   design.spreads = other_spreads(powder, model, question, asked, *design.best);
   return design;

@@ -96,32 +96,59 @@ Table line_table(const Json& result) {
   return table;
 }
 
-// Classes of the dose by colour, from none to the most; the line of the best speeds, the best.
+double map_speed(const Json& point) { return number_or(point, "speed_m_s", NAN); }
+double map_radius_um(const Json& point) { return 1e6 * number_or(point, "radius_m", NAN); }
+double map_dose(const Json& point) { return number_or(point, "dose", NAN); }
+
+// The points of the map by their radii, each row in the order of its speeds.
+std::vector<std::vector<const Json*>> map_rows(const Json& result) {
+  std::vector<std::vector<const Json*>> rows;
+  for (const Json& point : list(result, "map")) {
+    if (rows.empty() || map_radius_um(*rows.back().front()) != map_radius_um(point)) rows.emplace_back();
+    rows.back().push_back(&point);
+  }
+  return rows;
+}
+
+// The speeds of a row between which the dose is at least this one; straight lines between its points.
+void add_speeds_above(Series& band, const std::vector<const Json*>& row, double least) {
+  double low = NAN, high = NAN;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    const auto crossing = [&](std::size_t other) {
+      const double share = (least - map_dose(*row[k])) / (map_dose(*row[other]) - map_dose(*row[k]));
+      return map_speed(*row[k]) + share * (map_speed(*row[other]) - map_speed(*row[k]));
+    };
+    if (!(map_dose(*row[k]) >= least)) continue;
+    if (!std::isfinite(low)) low = k == 0 ? map_speed(*row[k]) : crossing(k - 1);
+    high = k + 1 == row.size() ? map_speed(*row[k]) : crossing(k + 1);
+  }
+  add_bar(band, map_radius_um(*row.front()), (low + high) / 2, low, high);
+}
+
+// Where the dose is some shares of the most of the map; what the limits forbid; the line of the best speeds, the best.
 Figure map_figure(const Json& result) {
-  constexpr int classes = 5;
   double most = 0;
   for (const Json& point : list(result, "map")) most = std::max(most, number_or(point, "dose", 0));
-  std::vector<Series> by_class;
-  for (int k = 0; k < classes; ++k)
-    by_class.push_back(series(
-        fmt::format("{:.0f} to {:.0f} %", 100 * most * k / classes, 100 * most * (k + 1) / classes), Mark::points, k));
-  Series forbidden = series("beyond the limits", Mark::points, -1), line = series("best speed", Mark::line, 5),
-         best = series("best", Mark::points_with_bars, 6);
-  const auto x = [](const Json& point) { return 1e6 * number_or(point, "radius_m", NAN); };
-  const auto y = [](const Json& point) { return number_or(point, "speed_m_s", NAN); };
-  for (const Json& point : list(result, "map")) {
-    const int which = std::min(classes - 1, static_cast<int>(classes * number_or(point, "dose", 0) / most));
-    add_point(yes(point, "allowed") ? by_class[static_cast<std::size_t>(which)] : forbidden, x(point), y(point));
-  }
-  for (const Json& point : list(result, "line")) add_point(line, x(point), y(point));
-  if (const Json& point = at(result, "best"); !point.is_null()) {
-    const Json& tolerance = at(point, "speed_tolerance_m_s");
-    add_bar(best, x(point), y(point), number_or(tolerance, "low", NAN), number_or(tolerance, "high", NAN));
-  }
   Chart chart{.title = "Of the mass " + band_of(result),
               .x = {.label = "median radius, um", .logarithmic = true},
               .y = {.label = "median speed, m/s"}};
-  for (Series& one : by_class) add(chart, std::move(one));
+  const auto rows = map_rows(result);
+  int colour = 2;
+  for (const double share : {0.5, 0.75, 0.9}) {
+    Series band = series(fmt::format("{:.0f} % or more", 100 * share * most), Mark::band, colour++);
+    for (const auto& row : rows) add_speeds_above(band, row, share * most);
+    add(chart, std::move(band));
+  }
+  Series forbidden = series("beyond the limits", Mark::points, -1), line = series("best speed", Mark::line, 0),
+         best = series("best", Mark::points_with_bars, 1);
+  for (const Json& point : list(result, "map"))
+    if (!yes(point, "allowed")) add_point(forbidden, map_radius_um(point), map_speed(point));
+  for (const Json& point : list(result, "line")) add_point(line, map_radius_um(point), map_speed(point));
+  if (const Json& point = at(result, "best"); !point.is_null()) {
+    const Json& tolerance = at(point, "speed_tolerance_m_s");
+    add_bar(best, map_radius_um(point), map_speed(point), number_or(tolerance, "low", NAN),
+            number_or(tolerance, "high", NAN));
+  }
   for (Series* one : {&forbidden, &line, &best}) add(chart, std::move(*one));
   return {
       .name = "map",
