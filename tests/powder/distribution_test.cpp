@@ -69,6 +69,21 @@ TEST(DistributionOfParticles, AHistogramIsEvenWithinItsClassesAndExactAtSingleVa
   EXPECT_NEAR(median_of(classes), 2e-6, 1e-12);
 }
 
+TEST(DistributionOfParticles, ManyValuesAreJoinedAndKeepTheirNumberAndMass) {
+  Histogram values;
+  double moment = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double value = 1e-6 + 1e-9 * k;
+    values.push_back({value, value, 1e-3});
+    moment += 1e-3 * value * value * value;
+  }
+  const auto cells = cells_of(values, 90, 3);
+  EXPECT_EQ(cells.size(), 90u);
+  EXPECT_NEAR(sums_of(cells).share, 1, 1e-12);
+  EXPECT_NEAR(sums_of(cells).moment / moment, 1, 1e-12);
+  EXPECT_EQ(cells.back().high, values.back().high);
+}
+
 TEST(DistributionOfParticles, SpreadGrowsAboutTheMedian) {
   EXPECT_EQ(log_deviation_of(spread_by(Lognormal{2, 0.3}, 2)), 0.6);
   EXPECT_TRUE(is_one_value(spread_by(Lognormal{2, 0.3}, 0)));

@@ -61,6 +61,21 @@ std::vector<DistributionCell> nodes(const Lognormal& all, int count, double powe
   return found;
 }
 
+// Neighbours together, `count` of them at the end; their shares and moments are kept.
+std::vector<DistributionCell> merged(const std::vector<DistributionCell>& cells, int count) {
+  std::vector<DistributionCell> found;
+  const std::size_t size = cells.size(), groups = static_cast<std::size_t>(count);
+  for (std::size_t group = 0; group < groups; ++group) {
+    const std::size_t first = group * size / groups, last = (group + 1) * size / groups - 1;
+    found.push_back({cells[first].low, cells[last].high, 0, 0});
+    for (std::size_t k = first; k <= last; ++k) {
+      found.back().share += cells[k].share;
+      found.back().moment += cells[k].moment;
+    }
+  }
+  return found;
+}
+
 std::vector<DistributionCell> cells(const Histogram& classes, int count, double power) {
   std::vector<DistributionCell> found;
   const int parts = std::max(1, (count + static_cast<int>(classes.size()) - 1) / static_cast<int>(classes.size()));
@@ -72,7 +87,7 @@ std::vector<DistributionCell> cells(const Histogram& classes, int count, double 
       found.push_back({low, high, one.share / here, one.share / here * mean_power(low, high, power)});
     }
   }
-  return found;
+  return static_cast<int>(classes.size()) > count ? merged(found, count) : found;
 }
 
 std::vector<DistributionCell> nodes(const Histogram& classes, int count, double power) {

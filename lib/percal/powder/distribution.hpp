@@ -41,6 +41,7 @@ struct DistributionCell {
 };
 
 // Some `count` cells in the order of their values, their shares adding up to 1. Within a cell ln x is spread evenly. (3)
+// More classes than that are joined with their neighbours.
 std::vector<DistributionCell> cells_of(const Distribution& distribution, int count, double power);
 // The same as single values: low and high are one.
 std::vector<DistributionCell> nodes_of(const Distribution& distribution, int count, double power);
