@@ -38,6 +38,7 @@ speed = ["420 m/s", "780 m/s"]
 map = 15
 [limits]
 bounced = "10 %"
+beyond = "20 %"
 """
 
 
@@ -148,10 +149,10 @@ The bounds of layers are an illustration, the material goes through all of them.
 
 ## A design, and the solver's word on it
 
-Gold with radii of a geometric deviation of 1.15 and speeds of 1.05, most of the mass between 20 and 50 um, no more than 10 % bounced, medians of 0.6 to 1.4 um and 420 to 780 m/s: `percal design` finds {um(best["radius_m"])} um at {number(best["speed_m_s"], ".0f")} m/s with {share(best["dose"])} of the mass in the band.
+Gold with radii of a geometric deviation of 1.15 and speeds of 1.05, most of the mass between 20 and 50 um, no more than 10 % bounced and 20 % beyond the fitted shots, medians of 0.6 to 1.4 um and 420 to 780 m/s: `percal design` finds {um(best["radius_m"])} um at {number(best["speed_m_s"], ".0f")} m/s with {share(best["dose"])} of the mass in the band.
 The best speed at this radius is {number(best["best_speed_interval_m_s"]["low"], ".0f")} to {number(best["best_speed_interval_m_s"]["high"], ".0f")} m/s for all parameters that are not ruled out; 90 % of the dose are left from {number(best["speed_tolerance_m_s"]["low"], ".0f")} to {number(best["speed_tolerance_m_s"]["high"], ".0f")} m/s. It is one point of a line:
 
-{table(["radius, um", "best speed, m/s", "in the band", "bounced"], [[um(point["radius_m"]), number(point["speed_m_s"], ".0f"), percent(point["dose"]), percent(point["bounced"])] for point in design["line"]])}
+{table(["radius, um", "best speed, m/s", "in the band", "bounced", "beyond the fitted"], [[um(point["radius_m"]), number(point["speed_m_s"], ".0f"), percent(point["dose"]), percent(point["bounced"]), percent(point["beyond_fitted"])] for point in design["line"]])}
 
 {PARTICLES} particles of that powder, of equal weight in number, were run by the solver at the best point. Runs lie {percent(statistics.mean(ratios), "+.1f")} from the emulator in the mean, with a standard deviation of {percent(statistics.stdev(ratios))}. Depth by mass:
 

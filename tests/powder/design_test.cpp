@@ -77,6 +77,21 @@ TEST_F(DesignTest, ALimitMovesTheBestToItsEdge) {
   EXPECT_NEAR(impact_parameter(slow.best->middle), 5, 0.05);
 }
 
+TEST_F(DesignTest, AModelIsKeptToWhatItHasSeen) {
+  ForwardModel model = law_.model(scatter_);
+  model.has_seen = [](const PowderParticle& particle) { return particle.radius < 1e-6; };
+  asked_.limits.beyond = 0.1;
+  const PowderDesign design = design_of(powder_, model, question_, asked_);
+  ASSERT_TRUE(design.best);
+  // The mass has 3 s^2 = 0.12 more in ln radius, and s = 0.2.
+  const auto beyond = [](const PowderParticle& middle) {
+    return test::normal_cdf((std::log(middle.radius / 1e-6) + 0.12) / 0.2);
+  };
+  EXPECT_NEAR(design.best->shares.beyond, beyond(design.best->middle), 0.04);  // by whole classes
+  EXPECT_LT(beyond(design.best->middle), 0.15);
+  for (const DesignPoint& point : design.map) EXPECT_EQ(point.allowed, point.shares.beyond <= 0.1);
+}
+
 TEST_F(DesignTest, NothingWithinTheLimitsIsSaid) {
   question_.bounce = Breach{7};
   asked_.limits.bounced = 0;

@@ -19,6 +19,8 @@ struct ForwardModel {
   std::function<Eigen::VectorXd(std::span<const PowderParticle>)> errors;
   double scatter = 0;  // standard deviation of ln depth of single particles about their mean
   double freedom = 0;  // degrees of freedom that tell it; 0: it is known
+  // Whether the model has seen such particles; empty: it has seen all.
+  std::function<bool(const PowderParticle&)> has_seen = {};
 };
 
 // Ends of the radii, densities and speeds.

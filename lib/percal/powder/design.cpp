@@ -27,7 +27,8 @@ class Candidates {
  public:
   Candidates(const Powder& powder, const ForwardModel& model, const DoseQuestion& question,
              const DesignQuestion& design, double density, const Fineness& fineness, int fewest_draws)
-      : question_(question),
+      : model_(model),
+        question_(question),
         design_(design),
         middle_(middle_particle(powder)),
         density_(density),
@@ -57,8 +58,9 @@ class Candidates {
 
   DesignPoint at(double radius, double speed) const {
     const Eigen::RowVectorXd mean = all(radius, speed).colwise().mean();
-    DesignPoint point{{radius, density_, speed},
-                      {mean[read_dose], mean[read_bounced], mean[read_passed], mean[read_deeper]}};
+    DesignPoint point{
+        {radius, density_, speed},
+        {mean[read_dose], mean[read_bounced], mean[read_passed], mean[read_deeper], beyond(radius, speed)}};
     for (const double excess : excesses(point)) point.allowed = point.allowed && excess <= slack;
     return point;
   }
@@ -70,6 +72,7 @@ class Candidates {
     if (limits.bounced) found.push_back(point.shares.bounced - *limits.bounced);
     if (limits.passed) found.push_back(point.shares.passed - *limits.passed);
     if (limits.deeper) found.push_back(point.shares.deeper - *limits.deeper);
+    if (limits.beyond) found.push_back(point.shares.beyond - *limits.beyond);
     if (limits.most_impact) found.push_back(impact_parameter(point.middle) / *limits.most_impact - 1);
     return found;
   }
@@ -88,6 +91,16 @@ class Candidates {
     return {low.low, high.high};
   }
 
+  // Share of the mass.
+  double beyond(double radius, double speed) const {
+    double share = 0;
+    if (model_.has_seen)
+      for (const ParticleClass& one : scaled(classes_, factors(radius, speed)))
+        if (!model_.has_seen(middle_of(one))) share += one.mass;
+    return share;
+  }
+
+  const ForwardModel& model_;
   const DoseQuestion& question_;
   const DesignQuestion& design_;
   PowderParticle middle_;

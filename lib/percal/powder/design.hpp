@@ -18,6 +18,7 @@ struct DoseLimits {
   std::optional<double> bounced, passed;
   std::optional<double> deeper_than, deeper;  // m, and the share that may end below it or pass
   std::optional<double> most_impact;          // kg/(m s), of the middle particle
+  std::optional<double> beyond;               // share of particles that the model has not seen
 };
 
 struct DesignQuestion {
@@ -31,6 +32,7 @@ struct DesignQuestion {
 // Means over the draws, of the mass.
 struct DesignShares {
   double dose = 0, bounced = 0, passed = 0, deeper = 0;
+  double beyond = 0;  // of particles that the model has not seen
 };
 
 struct DesignPoint {

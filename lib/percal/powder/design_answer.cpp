@@ -9,8 +9,9 @@
 namespace percal {
 namespace {
 
-constexpr double as_good = 0.98;  // of the best dose
-constexpr double at_end = 1e-3;   // relative
+constexpr double as_good = 0.98;     // of the best dose
+constexpr double much_beyond = 0.2;  // of the mass
+constexpr double at_end = 1e-3;      // relative
 
 std::string words_of(const PowderParticle& particle) {
   return fmt::format("radius {} at {}", page::length(particle.radius, 3),
@@ -50,6 +51,9 @@ void say_limits(const DesignQuestion& asked, const DesignPoint& best, std::vecto
   say("bounces", asked.limits.bounced, best.shares.bounced);
   say("passes", asked.limits.passed, best.shares.passed);
   say("goes deeper", asked.limits.deeper, best.shares.deeper);
+  say("lies beyond what was fitted", asked.limits.beyond, best.shares.beyond);
+  if (!asked.limits.beyond && best.shares.beyond > much_beyond)
+    findings.push_back("limits.beyond keeps a design within what was fitted.");
   if (asked.limits.most_impact && impact_parameter(best.middle) > *asked.limits.most_impact * (1 - at_end))
     findings.push_back("The limit on density times speed times radius holds the dose back.");
 }

@@ -31,6 +31,11 @@ PowderParticle middle_particle(const Powder& powder) {
   return {radius, median_of(powder.density), factor * median_of(powder.speed)};
 }
 
+PowderParticle middle_of(const ParticleClass& one) {
+  return {std::sqrt(one.low.radius * one.high.radius), std::sqrt(one.low.density * one.high.density),
+          std::sqrt(one.low.speed * one.high.speed)};
+}
+
 std::vector<ParticleClass> classes_of(const Powder& powder, const Fineness& fineness) {
   const Leading leading = leading_of(powder);
   const Distribution* all[] = {&powder.radius, &powder.density, &powder.speed};

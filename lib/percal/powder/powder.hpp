@@ -39,6 +39,8 @@ struct ParticleClass {
   double number = 0, mass = 0;
 };
 
+PowderParticle middle_of(const ParticleClass& one);
+
 // Into how many cells the widest of the distributions is cut, by how many others have a spread, too; and how many values these have.
 struct Fineness {
   int cells = 480, values = 12;

@@ -40,6 +40,28 @@ void check_depths(const PowderJob& job, double layer_depth) {
   if (job.band && job.band->to > within) refuse("band", job.band->to);
 }
 
+// Of the fitted shots.
+struct FittedRange {
+  const char* name;
+  Dimension dimension;
+  double PowderParticle::*number;
+  Between fitted;
+  bool has(const PowderParticle& particle) const {
+    return particle.*number >= fitted.low * (1 - rounding) && particle.*number <= fitted.high * (1 + rounding);
+  }
+};
+std::vector<FittedRange> fitted_ranges(const ShotModel& calibration, int material) {
+  std::vector<FittedRange> ranges;
+  const auto add = [&](const char* name, const Dimension& dimension, double PowderParticle::*number, auto of_shot) {
+    if (const auto fitted = numbers_of_shots(calibration.shots, material, Shots::fitted, of_shot))
+      ranges.push_back({name, dimension, number, *fitted});
+  };
+  add("radii", dimension::length, &PowderParticle::radius, [](const FiredShot& shot) { return shot.radius; });
+  add("densities", dimension::density, &PowderParticle::density, [](const FiredShot& shot) { return shot.density; });
+  add("speeds", dimension::speed, &PowderParticle::speed, [](const FiredShot& shot) { return shot.speed; });
+  return ranges;
+}
+
 // How many of the calibration's shots went in although they are below the breach.
 std::pair<int, int> shots_below(const Breach& breach, const PowderModel& model) {
   int below = 0, all = 0;
@@ -105,6 +127,10 @@ PowderModel powder_model(const PowderJob& job, const ShotModel& calibration) {
   model.forward.errors = [shots, predictor = model.predictor](std::span<const PowderParticle> particles) {
     return predictor.emulator_errors(shots(particles));
   };
+  model.forward.has_seen = [shape = model, ranges = fitted_ranges(calibration, material)](const PowderParticle& one) {
+    return std::ranges::all_of(ranges, [&](const FittedRange& range) { return range.has(one); }) &&
+           shape.predictor.beyond_runs(shape.shot_of(one)) == 0;
+  };
   return model;
 }
 
@@ -112,27 +138,15 @@ std::vector<BeyondFitted> beyond_fitted(const std::vector<ParticleClass>& classe
   std::vector<BeyondFitted> found;
   const auto add = [&](BeyondFitted one, const auto& is_beyond) {
     for (const ParticleClass& each : classes) {
-      const PowderParticle middle{std::sqrt(each.low.radius * each.high.radius),
-                                  std::sqrt(each.low.density * each.high.density),
-                                  std::sqrt(each.low.speed * each.high.speed)};
-      if (!is_beyond(middle)) continue;
+      if (!is_beyond(middle_of(each))) continue;
       one.by_number += each.number;
       one.by_mass += each.mass;
     }
     if (std::max(one.by_number, one.by_mass) >= worth_a_word) found.push_back(one);
   };
-  const auto compare = [&](const std::string& name, const Dimension& dimension, double PowderParticle::*number,
-                           auto of_shot) {
-    const auto fitted = numbers_of_shots(model.calibration->shots, model.material, Shots::fitted, of_shot);
-    if (!fitted) return;
-    add({name, dimension, *fitted}, [&](const PowderParticle& particle) {
-      return particle.*number < fitted->low * (1 - rounding) || particle.*number > fitted->high * (1 + rounding);
-    });
-  };
-  compare("radii", dimension::length, &PowderParticle::radius, [](const FiredShot& shot) { return shot.radius; });
-  compare("densities", dimension::density, &PowderParticle::density,
-          [](const FiredShot& shot) { return shot.density; });
-  compare("speeds", dimension::speed, &PowderParticle::speed, [](const FiredShot& shot) { return shot.speed; });
+  for (const FittedRange& range : fitted_ranges(*model.calibration, model.material))
+    add({range.name, range.dimension, range.fitted},
+        [&](const PowderParticle& particle) { return !range.has(particle); });
   add({"emulator's runs", dimension::none, {}},
       [&](const PowderParticle& particle) { return model.predictor.beyond_runs(model.shot_of(particle)) > 0; });
   return found;

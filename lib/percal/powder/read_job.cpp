@@ -104,6 +104,7 @@ DoseLimits read_limits(const TomlTable& root) {
   limits.passed = optional_share_from(*block, "passed", any_share);
   limits.deeper_than = block->optional_quantity("deeper_than", dimension::length, positive("depth"));
   limits.deeper = optional_share_from(*block, "deeper", any_share);
+  limits.beyond = optional_share_from(*block, "beyond", any_share);
   limits.most_impact = block->optional_quantity("most_impact", dimension::impact_parameter,
                                                 positive("density times speed times radius"));
   if (limits.deeper && !limits.deeper_than) block->refuse("deeper", "this without deeper_than", "both or neither");

@@ -14,6 +14,7 @@ Json point_to_json(const DesignPoint& point) {
                {"bounced", finite(point.shares.bounced)},
                {"passed", finite(point.shares.passed)},
                {"deeper", finite(point.shares.deeper)},
+               {"beyond_fitted", finite(point.shares.beyond)},
                {"allowed", point.allowed}});
   return json;
 }
@@ -36,6 +37,7 @@ Json limits_to_json(const DoseLimits& limits) {
           {"passed", finite(limits.passed)},
           {"deeper_than_m", finite(limits.deeper_than)},
           {"deeper", finite(limits.deeper)},
+          {"beyond", finite(limits.beyond)},
           {"most_impact_kg_m_s", finite(limits.most_impact)}};
 }
 
@@ -83,11 +85,11 @@ Json design_to_json(const PowderJob& job, const DesignAnswer& answer) {
 }
 
 std::string design_to_csv(const DesignAnswer& answer) {
-  std::string csv = "radius_m,density_kg_m3,speed_m_s,dose,bounced,passed,deeper,allowed\n";
+  std::string csv = "radius_m,density_kg_m3,speed_m_s,dose,bounced,passed,deeper,beyond_fitted,allowed\n";
   for (const DesignPoint& point : answer.design.map)
-    csv += fmt::format("{},{},{},{},{},{},{},{}\n", point.middle.radius, point.middle.density, point.middle.speed,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", point.middle.radius, point.middle.density, point.middle.speed,
                        point.shares.dose, point.shares.bounced, point.shares.passed, point.shares.deeper,
-                       point.allowed ? "yes" : "no");
+                       point.shares.beyond, point.allowed ? "yes" : "no");
   return csv;
 }
 

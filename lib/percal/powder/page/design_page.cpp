@@ -87,12 +87,12 @@ Table density_table(const Json& result) {
 
 Table line_table(const Json& result) {
   Table table{.caption = "The best speed for each radius",
-              .rows = {{"radius", "speed", "in the band", "bounced", "passed"}},
+              .rows = {{"radius", "speed", "in the band", "bounced", "passed", "beyond the fitted"}},
               .notes = {}};
   for (const Json& point : list(result, "line"))
     table.rows.push_back({value_words(point, "radius_m"), value_words(point, "speed_m_s"),
                           percent(number(point, "dose")), percent(number(point, "bounced")),
-                          percent(number(point, "passed"))});
+                          percent(number(point, "passed")), percent(number(point, "beyond_fitted"))});
   return table;
 }
 
