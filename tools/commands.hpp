@@ -87,6 +87,11 @@ struct PredictArguments {
   bool verify = false;  // run the solver at every shot
 };
 
+// Of percal dose and percal design.
+struct PowderArguments {
+  std::string job;
+};
+
 struct InvertArguments {
   InvertWords words;
 };
@@ -177,6 +182,8 @@ Exit run_impact(const ImpactArguments&, const Common&);
 Exit run_identify(const IdentifyArguments&, const Common&);
 Exit run_calibrate(const CalibrateArguments&, const Common&);
 Exit run_predict(const PredictArguments&, const Common&);
+Exit run_dose(const PowderArguments&, const Common&);
+Exit run_design(const PowderArguments&, const Common&);
 Exit run_invert(const InvertArguments&, const Common&);
 Exit run_study(const StudyArguments&, const Common&);
 Exit run_campaign(const CampaignArguments&, const Common&);

@@ -125,7 +125,8 @@ double rate_in(const std::string& text, const Specimen& specimen) {
   try {
     found = parse_quantity(text);
   } catch (const std::invalid_argument& error) {
-    throw BadInput({"", 0, "--rate"}, error.what(), "a rate of stretch as \"0.05 1/s\", or of displacement as \"5 mm/min\"");
+    throw BadInput({"", 0, "--rate"}, error.what(),
+                   "a rate of stretch as \"0.05 1/s\", or of displacement as \"5 mm/min\"");
   }
   const bool speed = found.dimension == dimension::speed;
   if (speed && !specimen.gauge_length)

@@ -12,6 +12,7 @@
 #include "percal/base/error.hpp"
 #include "percal/calibrate/job.hpp"
 #include "percal/identify/job.hpp"
+#include "percal/powder/job.hpp"
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/sweep/plan.hpp"
@@ -112,17 +113,18 @@ const std::vector<FileKind>& file_kinds() {
       {"scale", "Scaling jobs", "percal scale", [](const std::string& path) { read_scale_job(path); }},
       {"identify", "Identifications", "percal identify", [](const std::string& path) { read_identify_job(path); }},
       {"calibrate", "Calibrations", "percal calibrate", [](const std::string& path) { read_calibration_job(path); }},
-      {"campaign", "Campaigns", "percal campaign", [](const std::string& path) { read_plan(path); }}};
+      {"campaign", "Campaigns", "percal campaign", [](const std::string& path) { read_plan(path); }},
+      {"dose", "Powders", "percal dose, percal design", [](const std::string& path) { read_powder_job(path); }}};
   return kinds;
 }
 
 const FileKind& file_kind(const std::string& name) {
   static const std::map<std::string, std::string> by_command{
-      {"impact", "scene"}, {"study", "scene"}, {"job", "calibrate"}};
+      {"impact", "scene"}, {"study", "scene"}, {"job", "calibrate"}, {"design", "dose"}};
   const auto other = by_command.find(name);
   for (const FileKind& kind : file_kinds())
     if (kind.name == (other == by_command.end() ? name : other->second)) return kind;
-  throw BadInput({"", 0, "kind"}, in_quotes(name), "scene, scale, identify, calibrate, campaign");
+  throw BadInput({"", 0, "kind"}, in_quotes(name), "scene, scale, identify, calibrate, campaign, dose");
 }
 
 std::vector<KeyEntry> keys_of(const FileKind& kind) {

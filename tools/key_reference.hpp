@@ -8,7 +8,7 @@
 
 namespace percal::tools {
 
-// A kind of file: "scene", "scale", "identify", "calibrate", "campaign".
+// A kind of file: "scene", "scale", "identify", "calibrate", "campaign", "dose".
 struct FileKind {
   std::string name;
   std::string title;                      // "Scene"

@@ -29,7 +29,7 @@ std::string as_markdown(const std::vector<FileKind>& kinds) {
       "readers say as they read.\n"
       "The pages of each kind of file tell how the keys belong together: [scenes](scene.md), "
       "[identifications](identify.md), [calibrations](calibrate.md), "
-      "[campaigns](campaign.md).\n\n"
+      "[campaigns](campaign.md), [powders](dose.md).\n\n"
       "`a.b` is the key b of the table `[a]`, `a[].b` that of every table `[[a]]`, and NAME a name that you give. "
       "A quantity with a dimension is a text with its\n"
       "unit. \"Left out\" means that the key has no default: leaving it out means something of its own.\n";

@@ -112,7 +112,9 @@ std::vector<TextFile> annotated_template(const NewArguments& asked) {
   const Keys extent = asked.all ? Keys::all : Keys::needed;
   if (asked.kind == "fit") return template_of("fit", extent);
   const FileKind& kind = file_kind(asked.kind);
-  auto files = template_of(kind.name, extent);
+  // A command that shares its kind of file has a template of its own where it needs other keys.
+  const bool has_its_own = !asked.all && embedded_templates().contains(asked.kind + ".toml");
+  auto files = template_of(has_its_own ? asked.kind : kind.name, extent);
   files.front().text = annotated(files.front().text, keys_of(kind));
   return files;
 }

@@ -127,7 +127,8 @@ void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::
       "a shot that was not fired, from a finished calibration -> its depth with intervals, depth over speed");
   PredictWords& words = predict.words;
   command->add_option("result", predict.result, "result.json of percal calibrate, or its folder")->required();
-  command->add_option("--material", words.material, "of the calibration, or one of its targets (default: the one that was shot into)");
+  command->add_option("--material", words.material,
+                      "of the calibration, or one of its targets (default: the one that was shot into)");
   command->add_option("--hypothesis", words.hypothesis, "name or number (default: the first)");
   command->add_option("--speed", words.speed, "as \"83 m/s\", or a range as 50..250m/s");
   add_sphere(*command, words.sphere);
@@ -302,7 +303,8 @@ void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Com
   auto* command = app.add_subcommand("new", "a commented template of a scene, a job or a table of a curve");
   command->add_option("kind", start.kind, "a kind of file, or the command that reads it")
       ->required()
-      ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "fit", "impact", "study", "job"}));
+      ->check(CLI::IsMember(
+          {"scene", "scale", "identify", "calibrate", "campaign", "dose", "design", "fit", "impact", "study", "job"}));
   command->add_flag("--all", start.all, "every key, not those alone that one needs");
   command
       ->add_option("-o,--file", start.file,
@@ -315,9 +317,9 @@ void add_new(CLI::App& app, NewArguments& start, Common& common, std::vector<Com
 
 void add_keys(CLI::App& app, KeysArguments& keys, Common& common, std::vector<Command>& commands) {
   auto* command = app.add_subcommand("keys", "every key of a kind of file: what it may be, its default, what it means");
-  auto* kind =
-      command->add_option("kind", keys.kind, "a kind of file, or the command that reads it")
-          ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "impact", "study", "job"}));
+  auto* kind = command->add_option("kind", keys.kind, "a kind of file, or the command that reads it")
+                   ->check(CLI::IsMember({"scene", "scale", "identify", "calibrate", "campaign", "dose", "design",
+                                          "impact", "study", "job"}));
   auto* json = command->add_flag("--json", common.json, "print them as JSON");
   command->add_flag("--markdown", keys.markdown, "all kinds, as a page")->excludes(kind)->excludes(json);
   command->footer("Example: percal keys scene");
@@ -382,6 +384,8 @@ std::vector<Command> add_commands(CLI::App& app, Arguments& a) {
   add_identify(app, a.identify, a.common, commands);
   add_calibrate(app, a.calibrate, a.common, commands);
   add_predict(app, a.predict, a.common, commands);
+  add_dose(app, a.dose, a.common, commands);
+  add_design(app, a.design, a.common, commands);
   add_invert(app, a.invert, a.common, commands);
   add_card(app, a.card, a.common, commands);
   add_store(app, a.store, a.common, commands);

@@ -16,6 +16,7 @@ struct Arguments {
   ScaleArguments scale;
   ImpactArguments impact;
   PredictArguments predict;
+  PowderArguments dose, design;
   InvertArguments invert;
   StudyArguments study;
   CampaignArguments campaign;
@@ -49,6 +50,9 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts,
                     "the input; none: no files)");
 
 void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands);
+
+void add_dose(CLI::App& app, PowderArguments& dose, Common& common, std::vector<Command>& commands);
+void add_design(CLI::App& app, PowderArguments& design, Common& common, std::vector<Command>& commands);
 
 // Those of `percal card`.
 void add_card(CLI::App& app, CardArguments& card, Common& common, std::vector<Command>& commands);

@@ -1,6 +1,7 @@
 #include "page_of_result.hpp"
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "percal/observe/page/page.hpp"
 #include "percal/one_depth/page/page.hpp"
 #include "percal/page/result.hpp"
+#include "percal/powder/page/page.hpp"
 #include "percal/predict/page/page.hpp"
 #include "percal/scaling/page/page.hpp"
 #include "percal/study/page/page.hpp"
@@ -27,15 +29,17 @@ struct PageOfCommand {
   const char* command;
   page::Page (*page)(const Json&);
 };
-constexpr std::array<PageOfCommand, 9> pages{{{"fit", fit_page},
-                                              {"scale", scale_page},
-                                              {"impact", impact_page},
-                                              {"study", study_page},
-                                              {"campaign", sweep_page},
-                                              {"identify", identify_page},
-                                              {"calibrate", calibrate_page},
-                                              {"predict", predict_page},
-                                              {"invert", invert_page}}};
+constexpr std::array<PageOfCommand, 11> pages{{{"fit", fit_page},
+                                               {"scale", scale_page},
+                                               {"impact", impact_page},
+                                               {"study", study_page},
+                                               {"campaign", sweep_page},
+                                               {"identify", identify_page},
+                                               {"calibrate", calibrate_page},
+                                               {"predict", predict_page},
+                                               {"dose", dose_page},
+                                               {"design", design_page},
+                                               {"invert", invert_page}}};
 
 std::string shown(const Json& value) {
   if (value.is_null()) return "nothing";
@@ -43,6 +47,11 @@ std::string shown(const Json& value) {
 }
 
 }  // namespace
+
+std::string result_file(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_directory(path, none) ? path + "/result.json" : path;
+}
 
 void check_result(const Json& result, const std::string& file) {
   if (!result.is_object())

@@ -7,6 +7,9 @@
 
 namespace percal::tools {
 
+// The file, or result.json of the folder.
+std::string result_file(const std::string& path);
+
 // Throws BadInput where it is no result, or one of another schema.
 void check_result(const page::Json& result, const std::string& file);
 

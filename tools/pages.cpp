@@ -26,11 +26,6 @@ void refuse_document(const std::string& file, const std::string& accepted) {
   if (const auto kind = document_in_words(read_file(file))) throw BadInput({file, 0, ""}, *kind, accepted);
 }
 
-std::string result_file(const std::string& path) {
-  std::error_code none;
-  return std::filesystem::is_directory(path, none) ? path + "/result.json" : path;
-}
-
 NamedResult read_json_result(const std::string& path) {
   const std::string file = result_file(path);
   refuse_document(file, "the result.json of a command of percal");

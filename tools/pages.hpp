@@ -12,9 +12,6 @@
 
 namespace percal::tools {
 
-// The file, or result.json of the folder.
-std::string result_file(const std::string& path);
-
 // Of such a file. Throws BadInput where it is no result of this percal.
 struct NamedResult {
   std::string file;

@@ -33,6 +33,7 @@ PYBIND11_MODULE(_core, core) {
   percal::python::bind_impact(core);
   percal::python::bind_jobs(core);
   percal::python::bind_shots(core);
+  percal::python::bind_powder(core);
   percal::python::bind_card(core);
   percal::python::bind_pages(core);
 }

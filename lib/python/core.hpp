@@ -14,6 +14,7 @@ void bind_fit(pybind11::module_& core);     // fit.cpp
 void bind_impact(pybind11::module_& core);  // impact.cpp
 void bind_jobs(pybind11::module_& core);    // jobs.cpp
 void bind_shots(pybind11::module_& core);   // shots.cpp
+void bind_powder(pybind11::module_& core);  // powder.cpp
 void bind_card(pybind11::module_& core);    // card.cpp
 void bind_pages(pybind11::module_& core);   // pages.cpp
 

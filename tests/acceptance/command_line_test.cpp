@@ -22,7 +22,7 @@ TEST_F(CommandLine, TheHelpOfEveryCommandHasAnExample) {
   const Ended help = run({"--help"});
   EXPECT_EQ(help.code, 0);
   for (const std::string command :
-       {"fit", "scale", "impact", "campaign", "identify", "calibrate", "predict", "invert", "card"}) {
+       {"fit", "scale", "impact", "campaign", "identify", "calibrate", "predict", "dose", "design", "invert", "card"}) {
     EXPECT_THAT(help.out, HasSubstr(command));
     const Ended ended = command == "card" ? run({command, "write", "--help"}) : run({command, "--help"});
     EXPECT_EQ(ended.code, 0);
@@ -42,8 +42,9 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
       {{"identfy", job},
-       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, campaign, identify, "
+       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, campaign, atlas, identify, "
        "calibrate, predict, "
+       "dose, design, "
        "invert, card"},
       {{"campaign"}, "plan"},
       {{"campaign", test::guha2009 + "gold_sweep.toml", "--estimates"}, "--estimates"},
@@ -78,13 +79,16 @@ TEST_F(CommandLine, ADocumentOfAnotherCommandIsCalledWhatItIs) {
       {test::guha2009 + "similar.toml", "found a job of percal scale"},
       {test::guha2009 + "skin.toml", "found a job of percal identify"},
       {PERCAL_DATA "/synthetic/joint.toml", "found a job of percal calibrate"},
-      {test::guha2009 + "gold_sweep.toml", "found a plan of percal campaign"}};
+      {test::guha2009 + "gold_sweep.toml", "found a plan of percal campaign"},
+      {test::guha2009 + "gold_dose.toml", "found a job of percal dose and percal design"}};
   const std::vector<std::pair<std::string, std::string>> commands{{"impact", "a scene"},
                                                                   {"study --omissions", "a scene"},
                                                                   {"scale", "percal scale"},
                                                                   {"identify", "identify"},
                                                                   {"calibrate", "percal calibrate"},
                                                                   {"campaign", "percal campaign"},
+                                                                  {"dose", "percal dose"},
+                                                                  {"design", "percal dose"},
                                                                   {"fit", "CSV files"},
                                                                   {"report", "the result.json"},
                                                                   {"card check", "a card of a solver"},

@@ -109,5 +109,11 @@ class SlowHowTo : public HowTo {};
 
 TEST_F(SlowHowTo, MyOwnLayer) { follow("own_layer.md"); }
 
+TEST_F(SlowHowTo, APowder) {
+  follow("powders.md");
+  EXPECT_TRUE(fs::exists(path("powder.out/dose.svg")));
+  EXPECT_FALSE(result("design.out/result.json")["best"].is_null());
+}
+
 }  // namespace
 }  // namespace percal

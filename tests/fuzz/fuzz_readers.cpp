@@ -20,6 +20,7 @@
 #include "percal/identify/job.hpp"
 #include "percal/page/html.hpp"
 #include "percal/page/text.hpp"
+#include "percal/powder/job.hpp"
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/store/store.hpp"
@@ -88,6 +89,7 @@ const std::map<std::string, Reader> readers{
     {"identify", [](const std::string& input) { read_identify_job(as_file(input, "identify.toml")); }},
     {"calibrate", [](const std::string& input) { read_calibration_job(as_file(input, "calibrate.toml")); }},
     {"campaign", read_plan_and_scenes},
+    {"dose", [](const std::string& input) { read_powder_job(as_file(input, "powder.toml")); }},
     {"csv", [](const std::string& input) { read_csv(as_file(input, "table.csv")); }},
     {"curves", [](const std::string& input) { read_curves({as_file(input, "curve.csv")}, {.mode = "uniaxial"}); }},
     {"quantity", read_quantity},

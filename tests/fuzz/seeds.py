@@ -7,7 +7,7 @@ import tempfile
 
 source, program, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
 JOBS = {"scene": ["gold.toml", "steel.toml", "rhombus.toml", "skin_layers.toml", "gold_length.toml"], "scale": ["similar.toml"], "identify": ["skin.toml"],
-        "calibrate": ["skin_consistent.toml", "gelatin_length.toml"], "campaign": ["gold_sweep.toml"]}
+        "calibrate": ["skin_consistent.toml", "gelatin_length.toml"], "campaign": ["gold_sweep.toml"], "dose": ["gold_dose.toml"]}
 QUANTITIES = ["1 kPa", "2.3e-3 kg/m3", "5 um", "1/s", "3 m/s", "10 %", "7"]
 SOLVERS = ["lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"]
 

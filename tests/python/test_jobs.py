@@ -64,6 +64,39 @@ class ACalibration(unittest.TestCase):
         wanted = self.found.predict(**(said | {"speed": None}), depth=shot.depth)
         self.assertAlmostEqual(wanted.value / speed, 1, delta=1e-3)
 
+    def test_says_where_a_powder_ends_and_which_one_ends_there(self):
+        fired = self.found["shot_model"]["shots"][0]
+        name = os.path.join(self.folder.name, "powder.toml")
+        with open(os.path.join(self.folder.name, "found.json"), "w", encoding="utf-8") as file:
+            json.dump(self.found.result, file)
+        radius, speed, depth = fired["radius_m"], fired["speed_m_s"], fired["depth_m"]
+        with open(name, "w", encoding="utf-8") as file:
+            file.write(f'''calibration = "found.json"
+bounce = "none"
+layer_depth = "{fired["layer_depth_m"]} m"
+[powder]
+density = "{fired["density_kg_m3"]} kg/m3"
+speed = "{speed} m/s"
+[powder.radius]
+median = "{radius} m"
+geometric_deviation = 1.1
+weighting = "number"
+[band]
+from = "{0.8 * depth} m"
+to = "{1.2 * depth} m"
+[design]
+radius = ["{0.9 * radius} m", "{1.1 * radius} m"]
+speed = ["{0.9 * speed} m/s", "{1.1 * speed} m/s"]
+map = 5
+''')
+        dose = percal.dose(name)
+        self.assertTrue(0.5 < dose.mean / depth < 2)
+        self.assertTrue(np.all(np.diff(dose.mass_above["best"]) >= 0))
+        design = percal.design(name)
+        self.assertTrue(design.found and design.dose["best"] >= dose.shares["in_band"]["best"] - 1e-3)
+        self.assertEqual(design.map["dose"].shape, (25,))
+        self.assertRegex(repr(design), "of the mass in the band")
+
     def test_of_a_prediction_names_what_it_cannot_use(self):
         with self.assertRaisesRegex(ValueError, "--diameter: found"):
             self.found.predict(diameter="3")

@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 
+#include "percal/base/version.hpp"
+#include "predict/smooth_model.hpp"
 #include "support/program.hpp"
 
 namespace percal {
@@ -14,7 +17,7 @@ using nlohmann::json;
 using test::Ended;
 using testing::HasSubstr;
 
-const std::vector<std::string> kinds{"scene", "scale", "identify", "calibrate", "campaign"};
+const std::vector<std::string> kinds{"scene", "scale", "identify", "calibrate", "campaign", "dose"};
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
@@ -42,7 +45,17 @@ bool is_alternative(const std::string& line) { return says(line, "instead of") |
 std::string live(const std::string& line) { return line.substr(2); }
 std::string key_of(const std::string& line) { return line.substr(0, line.find(" = ")); }
 
-class Keys : public test::Program {};
+class Keys : public test::Program {
+ protected:
+  // What templates of powders name.
+  void write_calibration_of_skin() const {
+    ShotModel model = test::smooth_model();
+    model.hypotheses.front().materials.front().name = "skin";
+    const json result{{"schema", result_schema}, {"command", "calibrate"}, {"shot_model", shot_model_to_json(model)}};
+    std::filesystem::create_directories(path("skin.out"));
+    write("skin.out/result.json", result.dump());
+  }
+};
 
 TEST_F(Keys, ThePageIsWhatTheProgramPrints) {
   const Ended ended = run({"keys", "--markdown"});
@@ -73,7 +86,7 @@ TEST_F(Keys, AKeyIsAsTheReaderSaysIt) {
   EXPECT_EQ(key("target.erosion.stress")["kind"], "pressure");
 }
 
-class NewTemplate : public test::Program, public testing::WithParamInterface<std::string> {
+class NewTemplate : public Keys, public testing::WithParamInterface<std::string> {
  protected:
   std::string command() const { return GetParam() == "scene" ? "impact" : GetParam(); }
   std::vector<std::string> written() const {
@@ -83,6 +96,7 @@ class NewTemplate : public test::Program, public testing::WithParamInterface<std
   }
   Ended check(const std::vector<std::string>& lines) const {
     write("my.toml", joined(lines));
+    if (GetParam() == "dose") write_calibration_of_skin();
     return run({command(), "my.toml", "--check"});
   }
 };
@@ -192,6 +206,21 @@ TEST_F(Keys, TheNewCalibrationIsAsLongAsOneNeedsAndValidWithItsCurveToo) {
   write("my.toml", joined(lines));
   const Ended ended = run({"calibrate", "my.toml", "--check"});
   EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
+TEST_F(Keys, TheNewDoseAndTheNewDesignAreJobsOfTheSameKind) {
+  write_calibration_of_skin();
+  for (const char* kind : {"dose", "design"}) {
+    const std::string file = std::string(kind) + ".toml";
+    ASSERT_EQ(run({"new", kind, "-o", file}).code, 0);
+    auto lines = lines_of(read(file));
+    for (auto& line : lines)
+      if (is_commented_entry(line)) line = live(line);
+    write(file, joined(lines));
+    const Ended ended = run({kind, file, "--check"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  }
+  EXPECT_EQ(run({"keys", "design"}).out, run({"keys", "dose"}).out);
 }
 
 TEST_F(Keys, ATableThatWouldBeReplacedStopsTheWholeTemplate) {

@@ -58,6 +58,23 @@ MatrixXd Predictor::log_depths(std::span<const CoveredMaterial> points, std::spa
   return depths;
 }
 
+MatrixXd Predictor::log_depths(std::span<const SphereShot> shots) const { return log_depths(material().points, shots); }
+
+VectorXd Predictor::emulator_errors(std::span<const SphereShot> shots) const {
+  VectorXd errors(static_cast<Eigen::Index>(shots.size()));
+  for (std::size_t k = 0; k < shots.size(); ++k) {
+    const SphereInputs at = shot_inputs(shots[k], material().points.front()).at;
+    errors[static_cast<Eigen::Index>(k)] =
+        std::sqrt(emulator_.depth({at}, 1 / model_->elements, true).covariance(0, 0));
+  }
+  return errors;
+}
+
+double Predictor::beyond_runs(const SphereShot& shot) const {
+  const double furthest = scale_.scaled(shot_inputs(shot, material().points.front()).at).cwiseAbs().maxCoeff();
+  return furthest > 1 + rounding ? furthest - 1 : 0;
+}
+
 Predictor Predictor::under(int hypothesis) const {
   Predictor other = *this;
   other.hypothesis_ = hypothesis;
@@ -70,7 +87,7 @@ std::vector<double> Predictor::best_depths(std::span<const SphereShot> shots) co
 }
 
 std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots, double speed_error) const {
-  const MatrixXd of_points = log_depths(material().points, shots);
+  const MatrixXd of_points = log_depths(shots);
   std::vector<DepthPrediction> predictions;
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const ShotInputs best = shot_inputs(shots[k], material().points.front());
@@ -149,10 +166,8 @@ std::vector<std::string> Predictor::outside(const SphereShot& shot) const {
   compare("diameter", dimension::length, [](const SphereShot& s) { return 2 * s.radius; });
   compare("density", dimension::density, [](const SphereShot& s) { return s.density; });
   compare("layer", dimension::length, [](const SphereShot& s) { return s.layer_depth; });
-  const VectorXd scaled = scale_.scaled(shot_inputs(shot, material().points.front()).at);
-  if (scaled.cwiseAbs().maxCoeff() > 1 + rounding)
-    found.push_back(fmt::format("the emulator's runs end {:.0f} % of their range before it",
-                                50 * (scaled.cwiseAbs().maxCoeff() - 1)));
+  if (const double beyond = beyond_runs(shot); beyond > 0)
+    found.push_back(fmt::format("the emulator's runs end {:.0f} % of their range before it", 50 * beyond));
   return found;
 }
 

@@ -52,10 +52,15 @@ class Predictor {
   Predictor under(int hypothesis) const;
   std::vector<double> best_depths(std::span<const SphereShot> shots) const;
 
+  // ln depth in m: of each point of the sample (rows) for each shot; the emulator's standard deviations at the best point.
+  Eigen::MatrixXd log_depths(std::span<const SphereShot> shots) const;
+  Eigen::VectorXd emulator_errors(std::span<const SphereShot> shots) const;
+  // By how much the shot lies beyond the emulator's runs at the best point, in half their range; 0: not at all.
+  double beyond_runs(const SphereShot& shot) const;
+
   const MaterialSample& material() const { return model_->hypotheses[hypothesis_].materials[material_]; }
 
  private:
-  // ln depth in m: of each point (rows) for each shot.
   Eigen::MatrixXd log_depths(std::span<const CoveredMaterial> points, std::span<const SphereShot> shots) const;
   std::vector<std::string> outside(const SphereShot& shot) const;
 

@@ -25,30 +25,6 @@ std::optional<int> index_named(const std::vector<Named>& all, const std::string&
   return found == all.end() ? std::nullopt : std::optional(static_cast<int>(found - all.begin()));
 }
 
-int hypothesis_of(const PredictWords& words, const ShotModel& model) {
-  if (words.hypothesis.empty()) return 0;
-  if (const auto named = index_named(model.hypotheses, words.hypothesis)) return *named;
-  for (std::size_t k = 0; k < model.hypotheses.size(); ++k)
-    if (words.hypothesis == std::to_string(k + 1)) return static_cast<int>(k);
-  refuse_option(
-      "--hypothesis", in_quotes(words.hypothesis),
-      fmt::format("a number from 1 to {}, or one of {}", model.hypotheses.size(), names_of(model.hypotheses)));
-}
-
-// Of one material alone, or of one alone that shots were fitted into, nothing need be said.
-int material_of(const PredictWords& words, const ShotModel& model) {
-  const auto& materials = model.hypotheses.front().materials;
-  if (const auto named = index_named(materials, words.material)) return *named;
-  if (!words.material.empty()) refuse_option("--material", in_quotes(words.material), names_of(materials));
-  std::vector<int> shot_into;
-  for (const FiredShot& shot : model.shots)
-    if (shot.fitted && std::ranges::find(shot_into, shot.material) == shot_into.end())
-      shot_into.push_back(shot.material);
-  if (materials.size() > 1 && shot_into.size() != 1)
-    refuse_option("--material", "nothing", "one of " + names_of(materials));
-  return materials.size() == 1 ? 0 : shot_into.front();
-}
-
 // Option of the number that is looked for: nobody says it.
 void check_left_out(ShotNumber wanted, const PredictWords& words) {
   const auto refuse_beside = [&](const std::string& option, const std::string& given) {
@@ -126,12 +102,8 @@ class Sources {
  private:
   using NumberOfShot = std::function<double(const FiredShot&)>;
 
-  // A number of the material's fitted shots where all have the same; of all its shots where none is fitted.
   std::optional<double> common(const NumberOfShot& number) const {
-    for (const Shots which : {Shots::fitted, Shots::all})
-      if (const auto range = numbers_of_shots(model_.shots, request_.material, which, number))
-        return is_one(*range) ? std::optional(range->low) : std::nullopt;
-    return std::nullopt;
+    return number_in_common(model_.shots, request_.material, number);
   }
 
   // Where the number itself is looked for, the search begins in the middle of all shots.
@@ -177,6 +149,28 @@ void take_shots(const PredictWords& words, const ShotModel& model, PredictReques
 
 }  // namespace
 
+int hypothesis_named(const std::string& name, const ShotModel& model, const Place& place) {
+  if (name.empty()) return 0;
+  if (const auto named = index_named(model.hypotheses, name)) return *named;
+  for (std::size_t k = 0; k < model.hypotheses.size(); ++k)
+    if (name == std::to_string(k + 1)) return static_cast<int>(k);
+  throw BadInput(
+      place, in_quotes(name),
+      fmt::format("a number from 1 to {}, or one of {}", model.hypotheses.size(), names_of(model.hypotheses)));
+}
+
+int material_named(const std::string& name, const ShotModel& model, const Place& place) {
+  const auto& materials = model.hypotheses.front().materials;
+  if (const auto named = index_named(materials, name)) return *named;
+  if (!name.empty()) throw BadInput(place, in_quotes(name), names_of(materials));
+  std::vector<int> shot_into;
+  for (const FiredShot& shot : model.shots)
+    if (shot.fitted && std::ranges::find(shot_into, shot.material) == shot_into.end())
+      shot_into.push_back(shot.material);
+  if (materials.size() > 1 && shot_into.size() != 1) throw BadInput(place, "nothing", "one of " + names_of(materials));
+  return materials.size() == 1 ? 0 : shot_into.front();
+}
+
 std::vector<NamedText> named_texts(PredictWords& words) {
   std::vector<NamedText> texts{{"material", &words.material},
                                {"hypothesis", &words.hypothesis},
@@ -192,8 +186,8 @@ std::vector<NamedText> named_texts(PredictWords& words) {
 
 PredictRequest understood(const PredictWords& words, const ShotModel& model) {
   PredictRequest request{.words = words,
-                         .hypothesis = hypothesis_of(words, model),
-                         .material = material_of(words, model),
+                         .hypothesis = hypothesis_named(words.hypothesis, model, {"", 0, "--hypothesis"}),
+                         .material = material_named(words.material, model, {"", 0, "--material"}),
                          .level = words.level.value_or(model.level),
                          .shots = {},
                          .speeds = {},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "percal/base/error.hpp"
 #include "percal/predict/predictor.hpp"
 #include "percal/predict/shot_words.hpp"
 
@@ -46,6 +47,11 @@ inline const char* word(ShotNumber number) {
   constexpr const char* words[] = {"speed", "diameter", "density"};
   return words[static_cast<int>(number)];
 }
+
+// The hypothesis of that name or number, from 1; the first where nothing is said.
+int hypothesis_named(const std::string& name, const ShotModel& model, const Place& place);
+// The material of that name; where nothing is said, the one that there is, or that shots were fitted into. Throw BadInput with the place.
+int material_named(const std::string& name, const ShotModel& model, const Place& place);
 
 // What is left out is what the material's fitted shots have in common. Throws BadInput for what is not understood, for a number that they do
 // not have in common and nobody says.

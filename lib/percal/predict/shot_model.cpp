@@ -282,6 +282,14 @@ std::optional<Between> numbers_of_shots(const std::vector<FiredShot>& shots, int
   return range;
 }
 
+std::optional<double> number_in_common(const std::vector<FiredShot>& shots, int material,
+                                       const std::function<double(const FiredShot&)>& number) {
+  for (const Shots which : {Shots::fitted, Shots::all})
+    if (const auto range = numbers_of_shots(shots, material, which, number))
+      return is_one(*range) ? std::optional(range->low) : std::nullopt;
+  return std::nullopt;
+}
+
 Json shot_model_to_json(const ShotModel& model) {
   Json shots = Json::array(), runs = Json::array(), hypotheses = Json::array();
   for (const FiredShot& shot : model.shots) shots.push_back(shot_to_json(shot));

@@ -49,6 +49,10 @@ std::optional<Between> numbers_of_shots(const std::vector<FiredShot>& shots, int
 inline constexpr double rounding = 1e-6;  // relative: numbers of two shots that differ by rounding alone
 inline bool is_one(const Between& range) { return range.high <= range.low * (1 + rounding); }
 
+// The number of the material's fitted shots where all have the same; of all its shots where none is fitted.
+std::optional<double> number_in_common(const std::vector<FiredShot>& shots, int material,
+                                       const std::function<double(const FiredShot&)>& number);
+
 struct ShotModel {
   double level = 0.95;
   double elements = 0;     // of the mesh that predictions are of: per radius, or in the erosion length

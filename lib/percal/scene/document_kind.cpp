@@ -14,8 +14,8 @@ struct Kind {
 };
 
 // In the order of DocumentKind.
-const std::array<Kind, 5>& kinds() {
-  static const std::array<Kind, 5> all{{
+const std::array<Kind, 6>& kinds() {
+  static const std::array<Kind, 6> all{{
       {"a scene, for percal impact and percal study", "a scene: [particle] and [target]", {"particle", "target"}},
       {"a job of percal scale", "a job of percal scale: [prototype] and [model]", {"prototype"}},
       {"a job of percal identify",
@@ -25,6 +25,9 @@ const std::array<Kind, 5>& kinds() {
        "a job of percal calibrate: [parameters.NAME], [materials.NAME], [[shots]] and [[curves]]",
        {"parameters", "materials", "shots", "curves", "hypotheses"}},
       {"a plan of percal campaign", "a plan of percal campaign: scene and [[sweep]]", {"sweep"}},
+      {"a job of percal dose and percal design",
+       "a job of percal dose and percal design: calibration and [powder]",
+       {"powder"}},
   }};
   return all;
 }

@@ -7,7 +7,7 @@
 
 namespace percal {
 
-enum class DocumentKind { scene, scale, identify, calibrate, campaign };
+enum class DocumentKind { scene, scale, identify, calibrate, campaign, powder };
 
 // Throws BadInput where the document has nothing of the wanted kind, but what tells another one.
 void need_kind(const TomlTable& root, DocumentKind wanted);

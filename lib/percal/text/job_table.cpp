@@ -1,10 +1,25 @@
 #include "percal/text/job_table.hpp"
 
+#include <fmt/format.h>
+
 #include "percal/units/words.hpp"
 
 namespace percal {
 
 namespace {
+
+std::optional<double> percentage(std::string text) {
+  while (text.ends_with(' ')) text.pop_back();
+  if (!text.ends_with('%')) return std::nullopt;
+  text.pop_back();
+  while (text.ends_with(' ')) text.pop_back();
+  try {
+    const Quantity quantity = parse_quantity(text);
+    if (quantity.dimension == dimension::none) return quantity.value / 100;
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
+}
 
 KeyForm column_form(const std::string& what) { return {"column: " + what, "the name of a column of the table", ""}; }
 
@@ -68,6 +83,20 @@ std::vector<double> values_of_rows(const TomlTable& block, const std::string& ke
   if (!block.has(key))
     block.refuse(key, "no such key", words_of(range, dimension) + ", or " + column + " = \"COLUMN\"");
   return std::vector<double>(table.rows.size(), block.quantity(key, dimension, range));
+}
+
+std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range) {
+  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", ""});
+  if (!block.is_text(key)) return block.optional_number(key, range);
+  const std::string text = block.text(key);
+  const auto share = percentage(text);
+  if (!share || !contains(range, *share)) block.refuse(key, in_quotes(text), words_of(range) + ", as 0.05 or \"5 %\"");
+  return share;
+}
+
+double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback) {
+  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", fmt::format("{}", fallback)});
+  return optional_share_from(block, key, range).value_or(fallback);
 }
 
 }  // namespace percal

@@ -1,4 +1,4 @@
-// The CSV table that a block of a job names, and its columns.
+// What blocks of jobs have in common: the CSV table that one names and its columns, shares.
 #pragma once
 #include <string>
 #include <vector>
@@ -25,5 +25,9 @@ std::vector<std::optional<double>> some_of_column(const TomlTable& block, const 
 // One number for all rows (`key`), or the column that `key`_column names.
 std::vector<double> values_of_rows(const TomlTable& block, const std::string& key, const CsvTable& table,
                                    const Dimension& dimension, const Range& range);
+
+// A share of 1: a number, or a text in percent, "5 %".
+double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback);
+std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range);
 
 }  // namespace percal

@@ -17,11 +17,14 @@ from ._core import __version__, default_store_path, instruction_level
 from ._fit import Fit, Interval, Minimum, fit, fit_csv, nominal_stress
 from ._impact import Impact, Scene, impact
 from ._shots import Inversion, Prediction, invert, predict
+from ._powder import Design, Dose, design, dose
 from ._jobs import Calibration, Identification, Hypothesis, Ridge, Scaling, Sweep, calibrate, campaign, identify, scale
 
 __all__ = [
     "Calibration",
     "CardMaterial",
+    "Design",
+    "Dose",
     "Fit",
     "Identification",
     "Impact",
@@ -40,6 +43,8 @@ __all__ = [
     "card_curve",
     "card_of",
     "default_store_path",
+    "design",
+    "dose",
     "fit",
     "fit_csv",
     "identify",

@@ -263,6 +263,32 @@ class Sweep(_Result):
 
 def campaign(plan: _Path, store: _Path | None = None, threads: int = 0) -> Sweep: ...
 
+class Dose(_Result):
+    depth: _Array
+    mass_above: dict[str, _Array]
+    number_above: dict[str, _Array]
+    shares: dict[str, dict[str, float]]
+    number_shares: dict[str, dict[str, float]]
+    mean: float
+    deviation: float
+    beyond: list[dict[str, Any]]
+    findings: list[str]
+    def __init__(self, result: dict[str, Any]) -> None: ...
+
+def dose(job: _Path) -> Dose: ...
+
+class Design(_Result):
+    found: bool
+    radius: float | None
+    density: float | None
+    speed: float | None
+    dose: dict[str, float] | None
+    map: dict[str, _Array]
+    findings: list[str]
+    def __init__(self, result: dict[str, Any]) -> None: ...
+
+def design(job: _Path) -> Design: ...
+
 class CardMaterial:
     name: str
     density: float | None

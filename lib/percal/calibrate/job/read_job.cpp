@@ -31,19 +31,6 @@ SolverScene read_solver(const TomlTable& root) {
   return solver;
 }
 
-std::optional<double> percentage(std::string text) {
-  while (text.ends_with(' ')) text.pop_back();
-  if (!text.ends_with('%')) return std::nullopt;
-  text.pop_back();
-  while (text.ends_with(' ')) text.pop_back();
-  try {
-    const Quantity quantity = parse_quantity(text);
-    if (quantity.dimension == dimension::none) return quantity.value / 100;
-  } catch (const std::invalid_argument&) {
-  }
-  return std::nullopt;
-}
-
 constexpr int most_runs = 1000000;
 const Range share{.low = 0, .high = 1, .words = "a share from 0 to 1, as 0.15 or \"15 %\""};
 const Range some_share{
@@ -280,24 +267,10 @@ void read_training(const TomlTable& root, CalibrationJob& job) {
 
 }  // namespace
 
-std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range) {
-  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", ""});
-  if (!block.is_text(key)) return block.optional_number(key, range);
-  const std::string text = block.text(key);
-  const auto share = percentage(text);
-  if (!share || !contains(range, *share)) block.refuse(key, in_quotes(text), words_of(range) + ", as 0.05 or \"5 %\"");
-  return share;
-}
-
 Dimension dimension_of(ParameterKind kind) {
   if (kind == ParameterKind::erosion_length) return dimension::length;
   if (kind == ParameterKind::relaxation_time) return dimension::time;
   return kind == ParameterKind::modulus ? dimension::pressure : dimension::none;
-}
-
-double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback) {
-  block.describe(key, {"share", words_of(range) + ", as 0.05 or \"5 %\"", fmt::format("{}", fallback)});
-  return optional_share_from(block, key, range).value_or(fallback);
 }
 
 CalibrationJob read_calibration_job(const std::string& path) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "percal/calibrate/job.hpp"
+#include "percal/text/job_table.hpp"
 #include "percal/text/toml.hpp"
 
 namespace percal {
@@ -38,10 +39,6 @@ void check_use(const TomlTable& root, const CalibrationJob& job);
 
 // Of a parameter's value.
 Dimension dimension_of(ParameterKind kind);
-
-// A share of 1: a number, or a text in percent, "5 %".
-double share_from(const TomlTable& block, const std::string& key, const Range& range, double fallback);
-std::optional<double> optional_share_from(const TomlTable& block, const std::string& key, const Range& range);
 
 // "a, b": names of blocks, for messages.
 template <class Named>

@@ -1,0 +1,31 @@
+// percal dose JOB: where a powder ends up, by a finished calibration.
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "pages.hpp"
+#include "percal/powder/page/page.hpp"
+#include "percal/text/file.hpp"
+
+namespace percal::tools {
+
+Exit run_dose(const PowderArguments& arguments, const Common& common) {
+  const auto start = std::chrono::steady_clock::now();
+  const PowderJob job = read_powder_job(arguments.job);
+
+  const NamedResult result = read_json_result(job.calibration.text);
+  const ShotModel calibration = kept_shot_model(result.json, result.file);
+  powder_model(job, calibration);  // throws where the two do not fit
+  if (common.check)
+    return say_valid(arguments.job + ": a job that can be run", {{"command", "dose"}, {"job", arguments.job}}, common);
+  const std::string folder = out_folder(arguments.job, common);
+  DoseAnswer answer = answer_dose(job, calibration);
+  answer.cost.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const page::Json json = dose_to_json(job, answer);
+  deliver(json, folder, common);
+  if (!folder.empty()) write_file(folder + "/dose.csv", dose_to_csv(answer));
+  write_page_figures(dose_page(json), folder, common);
+  return Exit::done;
+}
+
+}  // namespace percal::tools
