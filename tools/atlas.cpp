@@ -1,6 +1,4 @@
 // percal atlas: the runs that calibrations begin with, written from a campaign and held against fresh ones.
-#include "percal/atlas/check.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "colour.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
+#include "percal/atlas/check.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/page/text.hpp"
@@ -34,9 +33,10 @@ AtlasAgreement agreement_in(const Region& region, const std::vector<CheckedPoint
 }
 
 page::Table table_of(const std::vector<CheckedPoint>& points) {
-  page::Table table{.caption = "Fresh runs against the atlas, by their reach",
-                    .rows = {{"", "runs", "half within", "r.m.s.", "in their 95 %"}},
-                    .notes = {"A fresh run is one run: its own scatter over the phase of the mesh is in the difference."}};
+  page::Table table{
+      .caption = "Fresh runs against the atlas, by their reach",
+      .rows = {{"", "runs", "half within", "r.m.s.", "in their 95 %"}},
+      .notes = {"A fresh run is one run: its own scatter over the phase of the mesh is in the difference."}};
   for (const Region& region : regions) {
     const AtlasAgreement found = agreement_in(region, points);
     if (found.points == 0) continue;
@@ -89,7 +89,8 @@ Exit run_atlas_check(const AtlasArguments& arguments, const Common& common) {
     const auto points = check_atlas(atlas, arguments.points, campaign, progress);
     const bool good = holds(agreement(points));
     all_hold &= good;
-    results.push_back({{"atlas", atlas.name}, {"runs", atlas.runs.size()}, {"holds", good}, {"regions", json_of(points)}});
+    results.push_back(
+        {{"atlas", atlas.name}, {"runs", atlas.runs.size()}, {"holds", good}, {"regions", json_of(points)}});
     if (!common.talks()) continue;
     print(fmt::format("{}: {} runs\n{}", atlas.name, atlas.runs.size(),
                       page::as_text(table_of(points), terminal_style(page::Detail::answer))));
@@ -105,7 +106,8 @@ Exit run_atlas_write(const AtlasArguments& arguments, const Common& common) {
   const auto points = points_to_run(plan);
   ensure_writable_file(arguments.file);
   std::vector<Problem> problems;
-  for (const auto& replicates : problems_of(points)) problems.insert(problems.end(), replicates.begin(), replicates.end());
+  for (const auto& replicates : problems_of(points))
+    problems.insert(problems.end(), replicates.begin(), replicates.end());
   const std::string setting = one_setting(problems, arguments.plan);
   Store store(store_file(common));
   Campaign campaign(&store, common.threads);

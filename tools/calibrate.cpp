@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "colour.hpp"
 #include "cluster.hpp"
+#include "colour.hpp"
 #include "commands.hpp"
 #include "pages.hpp"
 #include "percal/calibrate/best_scenes.hpp"

@@ -27,7 +27,8 @@ SlurmOptions slurm_options(const Common& common, const std::string& input) {
 
 }  // namespace
 
-Runs::Runs(const Common& common, const std::string& input) : store(store_file(common)), campaign(&store, common.threads) {
+Runs::Runs(const Common& common, const std::string& input)
+    : store(store_file(common)), campaign(&store, common.threads) {
   if (!common.cluster.wanted) return;
   cluster_ = std::make_unique<Coordinator>(slurm_options(common, input), store);
   campaign.have_made(*cluster_);

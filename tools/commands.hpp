@@ -117,9 +117,9 @@ struct WorkArguments {
 };
 
 struct AtlasArguments {
-  std::string plan;     // of write
-  std::string file;     // where to write
-  int points = 20;      // of check
+  std::string plan;  // of write
+  std::string file;  // where to write
+  int points = 20;   // of check
 };
 
 struct CardArguments {

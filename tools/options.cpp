@@ -84,9 +84,11 @@ void add_impact(CLI::App& app, ImpactArguments& impact, Common& common, std::vec
 
 // Of commands whose batches of runs a cluster may make.
 void add_cluster(CLI::App& command, Common::Cluster& cluster) {
-  auto* slurm = command.add_flag("--slurm", cluster.wanted, "have the runs made by Slurm, from a folder that all nodes see");
+  auto* slurm =
+      command.add_flag("--slurm", cluster.wanted, "have the runs made by Slurm, from a folder that all nodes see");
   command.add_option("--partition", cluster.partition, "of the cluster (default: its own)")->needs(slurm);
-  command.add_option("--time", cluster.time, "limit of a task, as Slurm has it: 30, 2:00:00 (default: the partition's)")
+  command
+      .add_option("--time", cluster.time, "limit of a task, as Slurm has it: 30, 2:00:00 (default: the partition's)")
       ->needs(slurm);
   command.add_option("--batch", cluster.batch, "runs a task (default: about a minute's work)")
       ->check(CLI::Range(1, 1000000))
@@ -94,7 +96,9 @@ void add_cluster(CLI::App& command, Common::Cluster& cluster) {
   command.add_option("--at-once", cluster.at_once, "tasks that may run at once (default: as many as the cluster lets)")
       ->check(CLI::Range(1, 1000000))
       ->needs(slurm);
-  command.add_option("--slurm-folder", cluster.folder, "for lists and results of tasks (default: NAME.slurm in the working folder)")
+  command
+      .add_option("--slurm-folder", cluster.folder,
+                  "for lists and results of tasks (default: NAME.slurm in the working folder)")
       ->needs(slurm);
 }
 
@@ -231,12 +235,14 @@ void add_campaign(CLI::App& app, CampaignArguments& campaign, Common& common, st
       "          percal campaign data/guha2009/gold_sweep.toml");
   add_common(*command, common, true);
   add_cluster(*command, common.cluster);
-  command->add_flag("--dry-run", common.cluster.dry_run, "print the script of the array, hand nothing over")->needs("--slurm");
+  command->add_flag("--dry-run", common.cluster.dry_run, "print the script of the array, hand nothing over")
+      ->needs("--slurm");
   commands.push_back({command, [&] { return run_campaign(campaign, common); }, true});
 }
 
 void add_atlas(CLI::App& app, AtlasArguments& atlas, Common& common, std::vector<Command>& commands) {
-  auto* command = app.add_subcommand("atlas", "runs of spheres over the box that users live in, which calibrations begin with");
+  auto* command =
+      app.add_subcommand("atlas", "runs of spheres over the box that users live in, which calibrations begin with");
   command->require_subcommand(1);
   const auto runs = [&](CLI::App* one) {
     one->add_option("--store", common.store, "evaluation store (default: percal.store in the user's cache folder)");
@@ -250,8 +256,10 @@ void add_atlas(CLI::App& app, AtlasArguments& atlas, Common& common, std::vector
   runs(check);
   check->footer("Example: percal atlas check");
   commands.push_back({check, [&] { return run_atlas_check(atlas, common); }, true});
-  auto* write = command->add_subcommand("write", "the runs of a plan as the file of an atlas; those that a store lacks are made");
-  write->add_option("plan", atlas.plan, "TOML plan of percal campaign: spheres into one layer, one run a point")->required();
+  auto* write =
+      command->add_subcommand("write", "the runs of a plan as the file of an atlas; those that a store lacks are made");
+  write->add_option("plan", atlas.plan, "TOML plan of percal campaign: spheres into one layer, one run a point")
+      ->required();
   write->add_option("-o,--file", atlas.file, "atlas to write")->required();
   runs(write);
   write->footer("Example: percal atlas write data/atlas/spheres.toml -o spheres.csv");

@@ -42,7 +42,8 @@ TEST_F(CommandLine, RefusesWhatItDoesNotKnowWithExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{}, "command"},
       {{"identfy", job},
-       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, campaign, atlas, identify, "
+       "command: found \"identfy\" (did you mean identify?); accepted: fit, scale, impact, study, campaign, atlas, "
+       "identify, "
        "calibrate, predict, "
        "dose, design, "
        "invert, card"},

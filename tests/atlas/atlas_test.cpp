@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "percal/atlas/check.hpp"
+#include "percal/base/error.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/math/draws.hpp"
 
@@ -41,9 +42,9 @@ TEST(Atlas, ComesBackFromItsText) {
   EXPECT_EQ(read.setting, "a setting with spaces=1");
   ASSERT_EQ(read.runs.size(), atlas.runs.size());
   for (std::size_t k = 0; k < read.runs.size(); ++k) {
-    EXPECT_LT((in_order(read.runs[k].at) - in_order(atlas.runs[k].at)).cwiseAbs().maxCoeff(), 1e-4);
-    EXPECT_NEAR(read.runs[k].log_depth, atlas.runs[k].log_depth, 1e-5);
-    EXPECT_NEAR(read.runs[k].h, atlas.runs[k].h, 1e-5);
+    EXPECT_LT((in_order(read.runs[k].at) - in_order(atlas.runs[k].at)).cwiseAbs().maxCoeff(), 1e-3);
+    EXPECT_NEAR(read.runs[k].log_depth, atlas.runs[k].log_depth, 1e-4);
+    EXPECT_NEAR(read.runs[k].h, atlas.runs[k].h, 1e-4);
   }
   EXPECT_EQ(atlas_text(read.setting, read.runs), atlas_text("a setting with spaces=1", atlas.runs));
 }

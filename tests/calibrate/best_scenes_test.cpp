@@ -51,7 +51,8 @@ TEST_F(BestScenes, OfAJobWithoutAWidthAreAsWideAsAnyShotNeeds) {
   const CalibrationJob chosen = read_job({{"layer_width_radii = 5\n", ""}});
   EXPECT_TRUE(chosen.width_was_chosen);
   for (const MeasuredShot& shot : chosen.shots) EXPECT_NEAR(shot.layer_width, 20 * shot.radius, 1e-12);
-  EXPECT_EQ(width_needed(given), 20);  // the lead ball at 50 m/s into 10 kPa: pi4 = 250, and more than ten times as dense
+  EXPECT_EQ(width_needed(given),
+            20);  // the lead ball at 50 m/s into 10 kPa: pi4 = 250, and more than ten times as dense
 }
 
 }  // namespace

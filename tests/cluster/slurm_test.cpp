@@ -16,7 +16,8 @@ TEST(Slurm, AScriptSaysWhatTheOptionsSayAndNoMore) {
   EXPECT_THAT(plain, HasSubstr("#SBATCH --array=0-11\n"));
   EXPECT_THAT(plain, HasSubstr("--requeue"));
   EXPECT_THAT(plain, HasSubstr("export PERCAL_ISA=x86_64_v3\n"));
-  EXPECT_THAT(plain, HasSubstr("exec '/opt/percal' work '/shared/it'\\''s here/todo/7-1-0'/\"$SLURM_ARRAY_TASK_ID\"\n"));
+  EXPECT_THAT(plain,
+              HasSubstr("exec '/opt/percal' work '/shared/it'\\''s here/todo/7-1-0'/\"$SLURM_ARRAY_TASK_ID\"\n"));
   for (const char* word : {"--partition", "--time", "%4"}) EXPECT_THAT(plain, Not(HasSubstr(word)));
   SlurmOptions all = options;
   all.partition = "short";
@@ -29,7 +30,8 @@ TEST(Slurm, AScriptSaysWhatTheOptionsSayAndNoMore) {
 TEST(Slurm, TasksInTheQueueAreThoseOfTheFolderAlone) {
   const std::string own = job_prefix("/shared/a"), other = job_prefix("/shared/b");
   EXPECT_NE(own, other);
-  const auto tasks = tasks_in("somebody N/A\n" + own + "1-2-0 3\n" + other + "1-2-0 4\nsqueue: error: slow\n" + own + "1-2-0 10\n", own);
+  const auto tasks = tasks_in(
+      "somebody N/A\n" + own + "1-2-0 3\n" + other + "1-2-0 4\nsqueue: error: slow\n" + own + "1-2-0 10\n", own);
   EXPECT_THAT(tasks, testing::ElementsAre(SlurmTask{"1-2-0", 3}, SlurmTask{"1-2-0", 10}));
 }
 

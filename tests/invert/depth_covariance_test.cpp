@@ -19,9 +19,11 @@ MeshPoints some_points() {
 CovarianceParameters some_parameters() {
   CovarianceParameters p;
   p.amplitude = 0.4;
-  p.length << 0.8, 1.5, 2, 1, 3, 1.2, 0.9;
+  p.length.setOnes();
+  p.length.head<7>() << 0.8, 1.5, 2, 1, 3, 1.2, 0.9;
   p.mesh_amplitude = 0.15;
-  p.mesh_length << 1.8, 0.5, 2.5, 1.3, 0.9, 2, 1.4;
+  p.mesh_length.setOnes();
+  p.mesh_length.head<7>() << 1.8, 0.5, 2.5, 1.3, 0.9, 2, 1.4;
   p.mesh_order = 1.3;
   p.noise = 0.03;
   p.noise_order = 0.6;
@@ -66,7 +68,7 @@ TEST(DepthCovariance, AWeightedSumIsTheProductWithTheWeights) {
       return covariance.between({at.transpose(), Eigen::VectorXd::Constant(1, h)}, points).row(0).dot(weights);
     };
     const Eigen::VectorXd at = Eigen::VectorXd::LinSpaced(sphere_inputs, -0.9, 1.4);
-    const auto sum = covariance.weighted_sum(at, h, points, weights);
+    const auto sum = WeightedCovariance(covariance, points, weights).at(at, h);
     EXPECT_NEAR(sum.value, value(at), 1e-10);
     for (int j = 0; j < sphere_inputs; ++j) {
       const Eigen::VectorXd step = 1e-5 * Eigen::VectorXd::Unit(sphere_inputs, j);

@@ -40,15 +40,16 @@ class RandomProblems {
     if (choice(3) == 0) p.friction = CoulombFriction{number_of_any_size()};
     if (choice(3) == 0) p.relaxation = PronySeries{{{0.3, number_of_any_size()}, {0.1, number_of_any_size()}}};
     for (int layers = choice(3); layers > 0; --layers)
-      p.below.push_back({.depth = number_of_any_size(),
-                         .density = number_of_any_size(),
-                         .mu = number_of_any_size(),
-                         .alpha = number_of_any_size(),
-                         .bulk_ratio = number_of_any_size(),
-                         .erosion_limit = choice(2) ? number_of_any_size() : INFINITY,
-                         .further_erosion = further(),
-                         .stretch = stretch(),
-                         .fibres = fibres()});
+      p.below.push_back(
+          {.depth = number_of_any_size(),
+           .density = number_of_any_size(),
+           .mu = number_of_any_size(),
+           .alpha = number_of_any_size(),
+           .bulk_ratio = number_of_any_size(),
+           .erosion_limit = choice(2) ? number_of_any_size() : INFINITY,
+           .further_erosion = p.further_erosion.is_empty() ? FurtherErosion{} : further(),  // as scenes have it
+           .stretch = stretch(),
+           .fibres = fibres()});
     return p;
   }
 

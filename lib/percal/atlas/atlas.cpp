@@ -34,18 +34,17 @@ constexpr Column plain(const char* name) {
 }
 
 const std::vector<Column>& columns() {
-  static const std::vector<Column> all{
-      logarithmic<&SphereInputs::log_pi4>("pi4"),
-      logarithmic<&SphereInputs::log_pi5>("pi5"),
-      plain<&SphereInputs::alpha>("alpha"),
-      plain<&SphereInputs::erosion_strain>("erosion_strain"),
-      logarithmic<&SphereInputs::log_layer_depth>("layer_depth"),
-      logarithmic<&SphereInputs::log_bulk_ratio>("bulk_ratio"),
-      logarithmic<&SphereInputs::log_erosion_length>("erosion_length"),
-      {"element_size", [](const TrainingRun& run) { return run.h; },
-       [](TrainingRun& run, double value) { run.h = value; }},
-      {"reach", [](const TrainingRun& run) { return std::exp(run.log_depth); },
-       [](TrainingRun& run, double value) { run.log_depth = std::log(value); }}};
+  static const std::vector<Column> all{logarithmic<&SphereInputs::log_pi4>("pi4"),
+                                       logarithmic<&SphereInputs::log_pi5>("pi5"),
+                                       plain<&SphereInputs::alpha>("alpha"),
+                                       plain<&SphereInputs::erosion_strain>("erosion_strain"),
+                                       logarithmic<&SphereInputs::log_layer_depth>("layer_depth"),
+                                       logarithmic<&SphereInputs::log_bulk_ratio>("bulk_ratio"),
+                                       logarithmic<&SphereInputs::log_erosion_length>("erosion_length"),
+                                       {"element_size", [](const TrainingRun& run) { return run.h; },
+                                        [](TrainingRun& run, double value) { run.h = value; }},
+                                       {"reach", [](const TrainingRun& run) { return std::exp(run.log_depth); },
+                                        [](TrainingRun& run, double value) { run.log_depth = std::log(value); }}};
   return all;
 }
 
@@ -88,10 +87,12 @@ Atlas parse_atlas(const std::string& text, const std::string& name) {
 
 std::string atlas_text(const std::string& setting, const std::vector<TrainingRun>& runs) {
   std::string text =
-      "# Runs of rigid spheres: lengths in radii, element_size in radii too or in erosion lengths where there is one (1: none).\n"
+      "# Runs of rigid spheres: lengths in radii, element_size in radii too or in erosion lengths where there is one "
+      "(1: none).\n"
       "# reach: docs/theory/emulator.md (1a). Written by percal atlas write.\n";
   text += setting_mark + setting + "\n";
-  for (const Column& column : columns()) text += fmt::format("{}{}", &column == &columns().front() ? "" : ",", column.name);
+  for (const Column& column : columns())
+    text += fmt::format("{}{}", &column == &columns().front() ? "" : ",", column.name);
   text += "\n";
   for (const TrainingRun& run : runs) {
     for (const Column& column : columns())
@@ -142,7 +143,8 @@ std::function<double(const TrainingRun&)> feature_distance(const SphereInputs& a
 }
 
 Emulator emulator_near(const Atlas& atlas, const SphereInputs& at) {
-  return Emulator(nearest_runs(atlas.runs, runs_near, feature_distance(at)), EmulatorOptions{.most_points_for_search = runs_near});
+  return Emulator(nearest_runs(atlas.runs, runs_near, feature_distance(at)),
+                  EmulatorOptions{.most_points_for_search = runs_near});
 }
 
 }  // namespace percal

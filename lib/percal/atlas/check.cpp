@@ -39,7 +39,8 @@ std::vector<CheckedPoint> check_atlas(const Atlas& atlas, int count, Campaign& c
   std::vector<TrainingRun> wanted;
   std::vector<Problem> problems;
   for (int k = 0; k < count; ++k) {
-    wanted.push_back(between_neighbours(atlas, atlas.runs.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(count)));
+    wanted.push_back(
+        between_neighbours(atlas, atlas.runs.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(count)));
     problems.push_back(problem_of(atlas.setting, wanted.back()));
   }
   const auto evaluations = campaign.evaluate(problems, &progress);

@@ -20,9 +20,9 @@ std::vector<CheckedPoint> check_atlas(const Atlas& atlas, int count, Campaign& c
 
 struct AtlasAgreement {
   int points = 0, within95 = 0;
-  double median = 0;          // of |error|, half of all are nearer
+  double median = 0;            // of |error|, half of all are nearer
   double root_mean_square = 0;  // of the error
-  double standardised = 0;    // root mean square of error over deviation: 1 where it is stated rightly
+  double standardised = 0;      // root mean square of error over deviation: 1 where it is stated rightly
 };
 AtlasAgreement agreement(const std::vector<CheckedPoint>& points);
 

@@ -175,7 +175,7 @@ struct TrainingSettings {
   bool passage =
       false;  // runs that pass their layer go on, and are learnt from, whether or not a shot tells of passing
   int verify_replicates = 1;  // all shots together tell whether the emulator holds
-  unsigned seed = 20090401;  // of points drawn from the data, and of the phases of the training meshes
+  unsigned seed = 20090401;   // of points drawn from the data, and of the phases of the training meshes
 };
 
 struct CalibrationJob {

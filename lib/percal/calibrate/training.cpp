@@ -26,7 +26,7 @@ constexpr int most_foreign = 600;
 constexpr double too_shallow =
     1;  // ln depth short of the shallowest measured one: under covers, such a sphere sticks in one
 constexpr std::size_t most_of_atlas = 600;
-constexpr int places_for_each = 64;  // of a shot's layer in the parameters' box, to be near to
+constexpr int places_for_each = 64;     // of a shot's layer in the parameters' box, to be near to
 constexpr double coarsest_foreign = 6;  // elements, as the job's settings count them, that are fine enough for any job
 
 // Spheres that stick in a cover scatter far more than those that pass it, and tell nothing of data that all have passed.
@@ -203,11 +203,12 @@ void Training::take_runs_of_atlas() {
     double least = INFINITY;
     for (const auto& [at, log_depth] : sought) {
       const double by_depth = (run.log_depth - log_depth) / 0.5, by_density = run.at.log_pi5 - at.log_pi5,
-                   by_alpha = (run.at.alpha - at.alpha) / 4, by_layer = (run.at.log_layer_depth - at.log_layer_depth) / 2,
+                   by_alpha = (run.at.alpha - at.alpha) / 4,
+                   by_layer = (run.at.log_layer_depth - at.log_layer_depth) / 2,
                    by_strain = std::log(run.at.erosion_strain / at.erosion_strain) / 0.6,
                    by_length = (run.at.log_erosion_length - at.log_erosion_length) / 0.7;
-      least = std::min(least, by_depth * by_depth + by_density * by_density + by_alpha * by_alpha + by_layer * by_layer +
-                                  by_strain * by_strain + by_length * by_length);
+      least = std::min(least, by_depth * by_depth + by_density * by_density + by_alpha * by_alpha +
+                                  by_layer * by_layer + by_strain * by_strain + by_length * by_length);
     }
     return least;
   };

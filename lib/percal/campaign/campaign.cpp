@@ -97,7 +97,7 @@ struct Campaign::Books {
   std::mutex mutex;
   CampaignCost cost;
   std::set<std::string> made_elsewhere;  // keys that were not counted yet
-  double work = 0, wall_seconds = 0;  // of the runs done here
+  double work = 0, wall_seconds = 0;     // of the runs done here
 
   void add(const Problem& problem, const Evaluation& evaluation) {
     const std::lock_guard lock(mutex);
@@ -186,7 +186,7 @@ Campaign::Attempt Campaign::attempt(const Task& task, int threads, const Deadlin
 
 namespace {
 
-constexpr std::size_t worth_the_way = 4;               // runs
+constexpr std::size_t worth_the_way = 4;                   // runs
 constexpr std::chrono::milliseconds between_attempts{20};  // at what others are at
 
 // Problems that are the same are evaluated once; those with a history or a channel apart from those without.

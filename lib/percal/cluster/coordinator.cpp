@@ -87,7 +87,8 @@ void Coordinator::make(const std::vector<Problem>& problems, Progress* progress)
   const auto among_missing = [&](const std::set<std::string>& without) {
     std::vector<Problem> some;
     for (const Problem& problem : problems)
-      if (const std::string key = evaluation_key(problem, options_.level); missing.contains(key) && !without.contains(key))
+      if (const std::string key = evaluation_key(problem, options_.level);
+          missing.contains(key) && !without.contains(key))
         some.push_back(problem);
     return some;
   };
@@ -105,8 +106,9 @@ void Coordinator::make(const std::vector<Problem>& problems, Progress* progress)
     const auto lost = among_missing(busy);
     for (const Problem& problem : lost)
       if (++losses_[evaluation_key(problem, options_.level)] > most_losses)
-        throw IoFailure(fmt::format("{} evaluations were handed over {} times and never came back; what the tasks said is in {}",
-                                    lost.size(), most_losses + 1, folder_.log_folder()));
+        throw IoFailure(
+            fmt::format("{} evaluations were handed over {} times and never came back; what the tasks said is in {}",
+                        lost.size(), most_losses + 1, folder_.log_folder()));
     if (!lost.empty()) hand_over(lost);
     asked = std::chrono::steady_clock::now();
   }

@@ -26,7 +26,8 @@ std::string quoted(const std::string& text) {
 std::string said_by(const std::vector<std::string>& words, const std::string& input) {
   const auto [ended_well, text] = answer_of(words, input, Complaints::in_answer);
   if (!ended_well)
-    throw IoFailure(fmt::format("{}: {}", words.front(), text.empty() ? "cannot be started, or does not answer" : text));
+    throw IoFailure(
+        fmt::format("{}: {}", words.front(), text.empty() ? "cannot be started, or does not answer" : text));
   return text;
 }
 
@@ -66,7 +67,8 @@ std::set<SlurmTask> tasks_in(const std::string& printed, const std::string& pref
 }
 
 std::set<SlurmTask> live_tasks(const std::string& folder) {
-  return tasks_in(said_by({"squeue", "--me", "--array", "--noheader", "--format", task_format}, ""), job_prefix(folder));
+  return tasks_in(said_by({"squeue", "--me", "--array", "--noheader", "--format", task_format}, ""),
+                  job_prefix(folder));
 }
 
 int most_tasks_of_array() {

@@ -72,7 +72,8 @@ void WorkFolder::remove_result(const std::string& key) const {
 std::vector<KeyedEvaluation> WorkFolder::results() const {
   std::vector<KeyedEvaluation> found;
   std::error_code error;
-  for (fs::recursive_directory_iterator file(path_ + "/done", error), end; !error && file != end; file.increment(error)) {
+  for (fs::recursive_directory_iterator file(path_ + "/done", error), end; !error && file != end;
+       file.increment(error)) {
     if (file->path().extension() != ".json") continue;
     if (auto result = result_in(read_output(file->path().string()))) found.push_back(std::move(*result));
   }

@@ -17,8 +17,9 @@ WorkDone work_through(const std::string& list_file) {
     ++line;
     const auto problem = problem_of_key(key, instruction_level());
     if (!problem)
-      throw BadInput({.file = list_file, .line = line, .key = ""}, "\"" + key + "\"",
-                     "an evaluation of this version of percal at this processor's instruction level, " + instruction_level());
+      throw BadInput(
+          {.file = list_file, .line = line, .key = ""}, "\"" + key + "\"",
+          "an evaluation of this version of percal at this processor's instruction level, " + instruction_level());
     if (folder.has_result(key)) {
       ++work.found;
       continue;

@@ -10,8 +10,8 @@ namespace percal {
 namespace {
 
 constexpr double near_wall = 5, far_wall = 12;  // radii
-constexpr double fast_from = 30;                                    // pi4
-constexpr double heavy_above = 10;                                  // particle's density over the target's
+constexpr double fast_from = 30;                // pi4
+constexpr double heavy_above = 10;              // particle's density over the target's
 
 }  // namespace
 
