@@ -4,7 +4,7 @@
 """
 from harness import ROOT, THESIS, Store, command_line, number, percent, table, write_page
 
-POINTS = 400
+POINTS = 200
 JOBS = {"data/synthetic/joint.toml": ROOT / "data/synthetic/joint.toml", "data/guha2009/skin_consistent.toml": THESIS / "skin_consistent.toml"}
 
 
