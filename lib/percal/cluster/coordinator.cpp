@@ -94,7 +94,9 @@ void Coordinator::make(const std::vector<Problem>& problems, Progress* progress)
   };
   take_in(missing, progress);
   if (missing.empty()) return;
-  if (const auto idle = among_missing(at_work()); !idle.empty()) hand_over(idle);
+  const std::set<std::string> begun = at_work();
+  take_in(missing, progress);  // what was finished since
+  if (const auto idle = among_missing(begun); !idle.empty()) hand_over(idle);
   auto asked = std::chrono::steady_clock::now();
   while (!missing.empty()) {
     std::this_thread::sleep_for(between_looks);
