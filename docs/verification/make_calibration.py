@@ -133,7 +133,7 @@ def emulator_rows(result):
     last = e["rounds"][-1] if e["rounds"] else {"runs": 0, "cpu_s": 0}
     return [[last["runs"], f"{last['cpu_s']:.0f}", ", ".join(f"{o['runs']} {o['outcome']}" for o in e["outcomes"]),
              percent(e["leave_one_out_error"]), f"{e['standardised_deviation']:.2f}", percent(e["error_at_optimum"]),
-             percent(e["data_error"]), percent(e["settings"]["noise"])]]
+             percent(e["data_error"]), percent(e["noise"])]]
 
 
 def round_rows(result):
