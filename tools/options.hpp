@@ -49,6 +49,15 @@ void add_common(CLI::App& command, Common& common, bool runs_impacts,
                     "folder for results (default: NAME.out in the working folder, NAME that of "
                     "the input; none: no files)");
 
+// Those of it on runs: --store and --threads.
+void add_runs(CLI::App& command, Common& common);
+
+// Of commands whose batches of runs a cluster may make.
+void add_cluster(CLI::App& command, Common::Cluster& cluster);
+
+void add_campaign(CLI::App& app, CampaignArguments& campaign, Common& common, std::vector<Command>& commands);
+void add_atlas(CLI::App& app, AtlasArguments& atlas, Common& common, std::vector<Command>& commands);
+void add_work(CLI::App& app, WorkArguments& work, std::vector<Command>& commands);
 void add_fit(CLI::App& app, FitArguments& fit, Common& common, std::vector<Command>& commands);
 
 void add_dose(CLI::App& app, PowderArguments& dose, Common& common, std::vector<Command>& commands);

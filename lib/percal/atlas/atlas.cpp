@@ -10,7 +10,6 @@
 #include "percal/atlas/embedded.hpp"
 #include "percal/invert/depth_covariance.hpp"
 #include "percal/text/csv.hpp"
-#include "percal/text/sha256.hpp"
 
 namespace percal {
 namespace {
@@ -68,10 +67,7 @@ std::string setting_in(const std::string& text, const std::string& name) {
 
 Atlas parse_atlas(const std::string& text, const std::string& name) {
   const CsvTable table = parse_csv(text, name);
-  Atlas atlas{.name = name,
-              .setting = setting_in(text, name),
-              .runs = std::vector<TrainingRun>(table.rows.size()),
-              .digest = sha256(text)};
+  Atlas atlas{.name = name, .setting = setting_in(text, name), .runs = std::vector<TrainingRun>(table.rows.size())};
   for (const Column& column : columns()) {
     const std::vector<double> values = table.numbers(column.name, dimension::none);
     for (std::size_t k = 0; k < values.size(); ++k) column.put(atlas.runs[k], values[k]);

@@ -13,7 +13,6 @@ struct Atlas {
   std::string name;     // of its file
   std::string setting;  // setting_of() its runs: problems of another setting learn nothing from them
   std::vector<TrainingRun> runs;
-  std::string digest;  // SHA-256 of its text
 
   // Of a run of one layer: whether it stopped there. Others have a reach behind it (invert/reach.hpp).
   static bool stopped(const TrainingRun& run) { return run.log_depth < run.at.log_layer_depth; }

@@ -6,30 +6,20 @@
 #include <cmath>
 
 #include "percal/campaign/sphere_runs.hpp"
+#include "percal/math/distributions.hpp"
 
 namespace percal {
 namespace {
 
-constexpr double normal95 = 1.959963984540054;
 constexpr double by_chance = 1e-3;
 
-// Half-way to the nearest other run, in every input.
+// Half-way between a run and its nearest neighbour, in every input.
 TrainingRun between_neighbours(const Atlas& atlas, std::size_t k) {
-  const TrainingRun& run = atlas.runs[k];
-  const auto distance = feature_distance(run.at);
-  std::size_t nearest = k == 0 ? 1 : 0;
-  double least = INFINITY;
-  for (std::size_t j = 0; j < atlas.runs.size(); ++j) {
-    if (j == k) continue;
-    if (const double d = distance(atlas.runs[j]); d < least) {
-      least = d;
-      nearest = j;
-    }
-  }
-  TrainingRun middle = run;
+  const auto two = nearest_runs(atlas.runs, 2, feature_distance(atlas.runs[k].at));
+  TrainingRun middle;
   for (double SphereInputs::*input : sphere_input_order)
-    middle.at.*input = 0.5 * (run.at.*input + atlas.runs[nearest].at.*input);
-  middle.h = std::sqrt(run.h * atlas.runs[nearest].h);
+    middle.at.*input = 0.5 * (two.front().at.*input + two.back().at.*input);
+  middle.h = std::sqrt(two.front().h * two.back().h);
   return middle;
 }
 
@@ -67,7 +57,7 @@ AtlasAgreement agreement(const std::vector<CheckedPoint>& points) {
     sizes.push_back(std::abs(error));
     found.root_mean_square += error * error / found.points;
     found.standardised += standardised * standardised / found.points;
-    found.within95 += std::abs(standardised) <= normal95;
+    found.within95 += std::abs(standardised) <= normal_quantile(0.975);
   }
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());

@@ -62,25 +62,15 @@ Json design_to_json(const PowderJob& job, const DesignAnswer& answer) {
   Json spreads = Json::array();
   for (const OtherSpread& one : design.spreads)
     spreads.push_back({{"of", one.of}, {"geometric_deviation", one.geometric_deviation}, {"dose", finite(one.dose)}});
-  Json json = page::result_head("design", {{"job", job.file}, {"toml", job.text}});
-  json.update({{"title", job.title},
-               {"level", answer.level},
-               {"calibration", job.calibration.text},
-               {"material", answer.material},
-               {"hypothesis", answer.hypothesis},
-               {"layer_depth_m", answer.layer_depth},
-               {"powder", powder_to_json(job)},
-               {"band", {{"from_m", job.band->from}, {"to_m", job.band->to}}},
+  Json json = powder_head("design", job, answer);
+  json.update({{"band", {{"from_m", job.band->from}, {"to_m", job.band->to}}},
                {"limits", limits_to_json(job.design->limits)},
                {"enough", job.design->enough},
                {"best", best_to_json(design)},
                {"by_density", points_to_json(design.by_density)},
                {"line", points_to_json(design.line)},
                {"spreads", spreads},
-               {"map", points_to_json(design.map)},
-               {"beyond", beyond_to_json(answer.beyond)},
-               {"findings", answer.findings},
-               {"cost", page::cost_to_json(answer.cost)}});
+               {"map", points_to_json(design.map)}});
   return json;
 }
 

@@ -90,15 +90,8 @@ Json dose_to_json(const PowderJob& job, const DoseAnswer& answer) {
     spread.push_back({{"source", source.name},
                       {"spread_m", estimate_to_json(source.deviation)},
                       {"spread_mean_m", estimate_to_json(source.mean)}});
-  Json json = page::result_head("dose", {{"job", job.file}, {"toml", job.text}});
-  json.update({{"title", job.title},
-               {"level", answer.level},
-               {"calibration", job.calibration.text},
-               {"material", answer.material},
-               {"hypothesis", answer.hypothesis},
-               {"layer_depth_m", answer.layer_depth},
-               {"scatter", answer.scatter},
-               {"powder", powder_to_json(job)},
+  Json json = powder_head("dose", job, answer);
+  json.update({{"scatter", answer.scatter},
                {"band", job.band ? Json{{"from_m", job.band->from}, {"to_m", job.band->to}} : Json()},
                {"by_mass", shares_to_json(dose.mass_shares, job.layers)},
                {"by_number", shares_to_json(dose.number_shares, job.layers)},
@@ -107,10 +100,7 @@ Json dose_to_json(const PowderJob& job, const DoseAnswer& answer) {
                {"curve", curve},
                {"spread", spread},
                {"measured", measured_to_json(job, answer)},
-               {"beyond", beyond_to_json(answer.beyond)},
-               {"integration_error", finite(dose.integration_error)},
-               {"findings", answer.findings},
-               {"cost", page::cost_to_json(answer.cost)}});
+               {"integration_error", finite(dose.integration_error)}});
   return json;
 }
 

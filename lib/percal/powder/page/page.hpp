@@ -21,6 +21,10 @@ page::Page design_page(const page::Json& result);
 
 // --- shared by both -------------------------------------------------------------------------------------------------
 
+// What both results have.
+template <class Answer>
+page::Json powder_head(const char* command, const PowderJob& job, const Answer& answer);
+
 // {best, low, high, low_open, high_open}
 page::Json estimate_to_json(const DoseEstimate& estimate);
 page::Json particle_to_json(const PowderParticle& particle);
@@ -32,5 +36,21 @@ std::string share_words(const page::Json& object, const std::string& key);
 std::string share_interval_words(const page::Json& object, const std::string& key);
 // Of a length under KEY.
 std::string length_words(const page::Json& object, const std::string& key);
+
+template <class Answer>
+page::Json powder_head(const char* command, const PowderJob& job, const Answer& answer) {
+  page::Json head = page::result_head(command, {{"job", job.file}, {"toml", job.text}});
+  head.update({{"title", job.title},
+               {"level", answer.level},
+               {"calibration", job.calibration.text},
+               {"material", answer.material},
+               {"hypothesis", answer.hypothesis},
+               {"layer_depth_m", answer.layer_depth},
+               {"powder", powder_to_json(job)},
+               {"beyond", beyond_to_json(answer.beyond)},
+               {"findings", answer.findings},
+               {"cost", page::cost_to_json(answer.cost)}});
+  return head;
+}
 
 }  // namespace percal
