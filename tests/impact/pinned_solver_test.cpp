@@ -17,7 +17,9 @@
 #include "impact/setting_s.hpp"
 #include "percal/base/version.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/solid/march/march.hpp"
 #include "percal/text/sha256.hpp"
+#include "solid/solid_problems.hpp"
 #include "support/sanitized.hpp"
 
 #if defined(__GLIBC__)
@@ -29,11 +31,12 @@ namespace {
 
 constexpr const char* what_to_do =
     "The solver's bits have changed. Where nobody meant to, that is an error. Where it was meant: raise\n"
-    "solver_version in lib/percal/base/version.hpp, run `impact_test --gtest_filter=*PinnedSolver*` on a\n"
+    "solver_version (solid_version of a block) in lib/percal/base/version.hpp, run `impact_test "
+    "--gtest_filter=*PinnedSolver*` on a\n"
     "processor that has all levels, and in tests/impact/pinned_solver_test.cpp write the version into\n"
-    "pinned_version and the lines that it prints into pinned_bits.";
+    "pinned_version (pinned_solid_version) and the lines that it prints into pinned_bits.";
 
-constexpr int pinned_version = 5;
+constexpr int pinned_version = 5, pinned_solid_version = 1;
 
 constexpr double scatter = 0.05;  // of a depth from level to level, by what erodes a step earlier or later
 
@@ -106,6 +109,30 @@ Problem elastic_particle() {
   return p;
 }
 
+// In three dimensions, aslant and with a history.
+Problem block() {
+  Problem p = block_setting_s();
+  p.whole = true;
+  p.block.angle = 0.4;
+  p.block.fine_depth = 8;
+  p.end_time = 4;
+  p.history_samples = 10;
+  return p;
+}
+
+Problem block_prism() {
+  Problem p = block_setting_s(3);
+  p.particle =
+      RigidPolygon{.vertices = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}}, .mass = 40, .inertia = 10, .half_thickness = 0.7};
+  p.end_time = 4;
+  p.arithmetic = Arithmetic::double_precision;
+  return p;
+}
+
+ImpactResult result_of(const Problem& problem, int threads = 1) {
+  return problem.geometry == Geometry::block ? run_solid(problem, threads) : run_impact(problem, threads);
+}
+
 std::vector<PinnedRun> pinned_runs() {
   return {{"sphere to its end, single", setting_s(5), 27.7},
           {"sphere, double", short_impact(Arithmetic::double_precision), 7.27},
@@ -113,13 +140,16 @@ std::vector<PinnedRun> pinned_runs() {
           {"profile", cone(), 3.83},
           {"layers", layers(), 7.23},
           {"relaxation", relaxation(), 3.78},
-          {"elastic particle", elastic_particle(), 2.89}};
+          {"elastic particle", elastic_particle(), 2.89},
+          {"block", block(), 3.5},
+          {"prism in a block", block_prism(), 3.5}};
 }
 
 std::string numbers_of(const EnergyLedger& energy) {
   std::string text;
   for (const auto& [key, share, words] : energy_terms)
-    if (share != &EnergyLedger::friction) text += fmt::format(" {:a}", energy.*share);  // of which none of these runs has any
+    if (share != &EnergyLedger::friction)
+      text += fmt::format(" {:a}", energy.*share);  // of which none of these runs has any
   return text;
 }
 
@@ -185,11 +215,12 @@ TEST_P(PinnedSolver, KeepsItsBits) {
   }
   Bits found;
   for (const auto& [name, problem, depth] : pinned_runs()) {
-    const ImpactResult result = run_impact(problem);
+    const ImpactResult result = result_of(problem);
     EXPECT_NE(result.outcome, Outcome::unstable) << name << ": " << result.reason;
     EXPECT_NEAR(result.depth / depth, 1, scatter) << name;
     found.push_back(digest_of(result));
-    for (const int threads : {2, 7}) EXPECT_EQ(digest_of(run_impact(problem, threads)), found.back()) << name << ", " << threads << " threads";
+    for (const int threads : {2, 7})
+      EXPECT_EQ(digest_of(result_of(problem, threads)), found.back()) << name << ", " << threads << " threads";
   }
   const auto pinned = pinned_bits.find(level());
   const std::string other = pinned == pinned_bits.end() ? "level " + level() : other_build();
@@ -209,7 +240,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, PinnedSolver, testing::Values("generic"),
 #endif
 
 TEST(PinnedSolverVersion, IsTheOneThatThePinnedBitsBelongTo) {
-  EXPECT_EQ(pinned_version, solver_version)
+  EXPECT_EQ(std::pair(pinned_version, pinned_solid_version), std::pair(solver_version, solid_version))
       << "solver_version was raised: run `impact_test --gtest_filter=*PinnedSolver*` and write version and bits into "
          "tests/impact/pinned_solver_test.cpp";
 }

@@ -16,13 +16,14 @@ MAY_SEE = {
     "scaling": ["base", "math", "units", "text", "material", "plot", "page", "scene"],
     "problem": ["base", "math", "units", "text", "material", "mesh", "scene"],
     "impact": ["base", "math", "material", "mesh", "problem"],
+    "solid": ["base", "math", "material", "mesh", "problem", "impact"],
     "observe": ["base", "math", "units", "text", "plot", "scene", "problem", "impact", "page"],
     "store": ["base"],
     "estimate": ["base", "math"],
     "card": ["base", "units", "text", "material"],
     "fit": ["base", "math", "units", "text", "material", "estimate", "card", "plot", "page"],
     "invert": ["base", "math"],
-    "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "observe", "store", "invert"],
+    "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "solid", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
     "cluster": ["base", "text", "problem", "impact", "observe", "store", "campaign"],
@@ -38,6 +39,7 @@ MAY_SEE = {
 ROOMS = {
     "fit": ["points", "shape", "read", "search", "interval", "relaxation", "page"],
     "impact": ["kernel", "target", "particle", "march"],
+    "solid": ["kernel", "target", "particle", "march"],
 }
 
 

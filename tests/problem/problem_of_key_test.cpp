@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "percal/base/version.hpp"
@@ -20,8 +21,10 @@ class RandomProblems {
       p.*number = number_of_any_size();
     p.alpha *= choice(2) ? 1 : -1;
     p.bottom = choice(2) ? Bottom::fixed : Bottom::free;
-    p.geometry = choice(4) ? Geometry::axisymmetric : Geometry::plane_strain;
-    p.whole = p.geometry == Geometry::plane_strain && choice(2);
+    p.geometry = static_cast<Geometry>(std::max(0, choice(5) - 2));
+    p.whole = p.geometry != Geometry::axisymmetric && choice(2);
+    if (p.geometry == Geometry::block)
+      p.block = {number_of_any_size(), number_of_any_size(), number_of_any_size(), number_of_any_size()};
     p.erosion = erosion();
     if (choice(3) == 0) p.erosion_average = AverageWithin{number_of_any_size()};
     p.elements_per_radius = round_to_12_digits(1 + choice(60) + choice(100) / 99.0);
@@ -66,7 +69,8 @@ class RandomProblems {
         return RigidPolygon{.vertices = {{0, -number_of_any_size()}, {1, 0}, {-0.577350269190, number_of_any_size()}},
                             .mass = number_of_any_size(),
                             .inertia = number_of_any_size(),
-                            .free_rotation = choice(2) == 0};
+                            .free_rotation = choice(2) == 0,
+                            .half_thickness = choice(2) ? 0 : number_of_any_size()};
       default: return RigidSphere{};
     }
   }
@@ -103,7 +107,7 @@ TEST(ProblemOfKey, AProblemComesBackFromItsKey) {
     ASSERT_TRUE(found) << key;
     EXPECT_EQ(evaluation_key(*found, "avx2"), key);
     EXPECT_TRUE(*found == p) << key;
-    if (!std::holds_alternative<RigidSphere>(p.particle)) continue;
+    if (!std::holds_alternative<RigidSphere>(p.particle) || p.geometry == Geometry::block) continue;
     ++spheres;
     EXPECT_TRUE(key.starts_with(sphere_key_prefix("avx2")));
   }
@@ -117,11 +121,18 @@ TEST(ProblemOfKey, APartThatIsNotKnownIsRefused) {
 }
 
 TEST(ProblemOfKey, AnotherLevelVersionOrTextIsRefused) {
-  std::string key = evaluation_key(RandomProblems{}(), "avx2");
+  Problem p = RandomProblems{}();
+  p.geometry = Geometry::axisymmetric;
+  std::string key = evaluation_key(p, "avx2");
   EXPECT_FALSE(problem_of_key(key, "avx512"));
   EXPECT_FALSE(problem_of_key("", "avx2"));
   const std::string now = "solver=" + std::to_string(solver_version);
   EXPECT_FALSE(problem_of_key(key.replace(key.find(now), now.size(), "solver=0"), "avx2"));
+  p.geometry = Geometry::block;
+  key = evaluation_key(p, "avx2");
+  const std::string of_a_block = "solver=solid-" + std::to_string(solid_version);
+  EXPECT_TRUE(problem_of_key(key, "avx2"));
+  EXPECT_FALSE(problem_of_key(key.replace(key.find(of_a_block), of_a_block.size(), "solver=solid-0"), "avx2"));
 }
 
 }  // namespace

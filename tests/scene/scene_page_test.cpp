@@ -109,7 +109,8 @@ TEST(ScenePage, TheLongExampleNamesEveryKeyWithADefault) {
       "nu",       "erosion",   "relaxation",    "strain",   "measure",        "stress",      "energy",
       "share",    "time",      "vertices",      "side",     "tip_angle",      "orientation", "rotation",
       "mass",     "thickness", "diameter",      "bulk_to_shear", "end_time", "graded_columns", "width",    "length",      "length_in_radii",
-      "cell",     "strain_below", "fibres",     "k1",       "k2",       "kappa"};
+      "cell",     "strain_below", "fibres",     "k1",       "k2",       "kappa",
+      "angle",    "growth",    "fine_thickness", "fine_depth"};
   for (const auto& [heading, keys] : described_keys()) {
     for (const auto& key : keys) {
       const bool written = examples().at(1).find(key + " = ") != std::string::npos;

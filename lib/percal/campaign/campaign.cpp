@@ -21,6 +21,7 @@
 #include "percal/impact/target/size.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/replicates.hpp"
+#include "percal/solid/march/march.hpp"
 
 namespace percal {
 namespace {
@@ -47,10 +48,15 @@ Evaluation run(const Problem& problem, int spare_threads, FrameObserver* observe
   const auto start = std::chrono::steady_clock::now();
   const double cpu = thread_cpu_seconds();
   const int threads = std::clamp(static_cast<int>(size_of(problem).elements / worth_a_thread), 1, spare_threads);
-  Evaluation evaluation{
-      .result = in_memory(
-          problem, [&] { return observer ? run_impact(problem, *observer, threads) : run_impact(problem, threads); }),
-      .instruction_level = instruction_level()};
+  Evaluation evaluation{.result = in_memory(problem,
+                                            [&] {
+                                              const bool solid = problem.geometry == Geometry::block;
+                                              if (observer)
+                                                return solid ? run_solid(problem, *observer, threads)
+                                                             : run_impact(problem, *observer, threads);
+                                              return solid ? run_solid(problem, threads) : run_impact(problem, threads);
+                                            }),
+                        .instruction_level = instruction_level()};
   evaluation.cpu_seconds = thread_cpu_seconds() - cpu + evaluation.result.helper_cpu_seconds;
   evaluation.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return evaluation;

@@ -16,12 +16,14 @@ struct Column {
   double unit;  // in SI
 };
 
-// Forces are in units of rho_t v^2 a^2, per radian; in plane strain of rho_t v^2 a, those on one half where the other mirrors it.
+// Forces are in units of rho_t v^2 a^2, per radian or on the part of a block that is computed; in plane strain
+// of rho_t v^2 a, those on one half where the other mirrors it.
 Column force_column(const Problem& problem, const Scales& scales) {
   const double density = scales.target_density, v = scales.speed, a = scales.radius;
   if (problem.geometry == Geometry::plane_strain)
     return {"force_N_per_m", &HistoryPoint::force, (problem.whole ? 1 : 2) * density * v * v * a};
-  return {"force_N", &HistoryPoint::force, 2 * std::numbers::pi * density * v * v * a * a};
+  const double parts = problem.geometry != Geometry::block ? 2 * std::numbers::pi : problem.whole ? 2 : 4;
+  return {"force_N", &HistoryPoint::force, parts * density * v * v * a * a};
 }
 
 std::vector<Column> columns_of(const Problem& problem, const Scales& scales) {

@@ -16,11 +16,11 @@ namespace {
 
 // What is shown, in radii.
 struct Window {
-  double half_width, bottom, top;
-  double width() const { return 2 * half_width; }
+  double left, right, bottom, top;
+  double width() const { return right - left; }
   double height() const { return top - bottom; }
   bool holds(const Point& point) const {
-    return std::abs(point[0]) <= half_width && point[1] >= bottom && point[1] <= top;  // false for NaN
+    return point[0] >= left && point[0] <= right && point[1] >= bottom && point[1] <= top;  // false for NaN
   }
 };
 
@@ -35,7 +35,14 @@ Window window_of(const Frame& frame, const Problem& problem) {
   double widest = 0;
   for (const Point& point : frame.target.position)
     if (std::isfinite(point[0])) widest = std::max(widest, std::abs(point[0]));
-  return {widest > 0 ? std::min(beside, widest) : beside, -tip - below, above};
+  Window window{-beside, beside, -tip - below, above};
+  for (const Point& point : frame.particle.position) {  // one that has gone aside is shown with what is around it
+    if (!std::isfinite(point[0])) continue;
+    window.left = std::min(window.left, point[0] - below);
+    window.right = std::max(window.right, point[0] + below);
+  }
+  if (widest > 0) window.left = std::max(window.left, -widest), window.right = std::min(window.right, widest);
+  return window;
 }
 
 // Sizes in pixels so that both axes have one scale, and the title has room.
@@ -129,8 +136,8 @@ std::string picture_script(const Frame& frame, const Problem& problem, const Sca
                         length.name, length.name);
   script += "set cblabel 'largest principal stretch'\n";
   script += fmt::format("set cbrange [1:{:.4g}]\n", std::max(cells.largest_stretch, 1.01));
-  script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", -window.half_width * unit,
-                        window.half_width * unit, -window.bottom * unit, -window.top * unit);
+  script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", window.left * unit,
+                        window.right * unit, -window.bottom * unit, -window.top * unit);
   const std::vector<Point> outline = outline_of(frame.particle, !problem.whole);
   if (std::all_of(outline.begin(), outline.end(), [](const Point& p) { return std::isfinite(p[0] + p[1]); }))
     script += polygon(outline, unit);

@@ -33,6 +33,7 @@ struct RigidPolygon {
   double mass = 0;
   double inertia = 0;  // about the centre of mass; used where free_rotation
   bool free_rotation = false;
+  double half_thickness = 0;  // of a prism in a block: along y, to both sides; else 0
   bool operator==(const RigidPolygon&) const = default;
 };
 struct ElasticSphere {
@@ -41,6 +42,18 @@ struct ElasticSphere {
   bool operator==(const ElasticSphere&) const = default;
 };
 using Particle = std::variant<RigidSphere, RigidPolygon, ElasticSphere>;
+
+// A block in three dimensions: x to the right, y along the particle's thickness, z downwards. y = 0 is a plane of symmetry, and x = 0
+// unless Problem::whole. Cells are cubes near the particle's path and grow towards the walls, which are as far away in x and y.
+struct BlockModel {
+  double fine_thickness =
+      1;  // cells are cubes for |y| up to here or to the first node beyond, as for |x| up to Problem::fine_width
+  double fine_depth = 0;  // and down to here
+  double growth = 1.25;   // of each cell over the one before, at most, from there on
+  double angle =
+      0;  // rad: the first velocity points so far to the right of straight down; cubes and wall reach further there
+  bool operator==(const BlockModel&) const = default;
+};
 
 // The least K/mu that is chosen where a scene gives none: with more, a soft solid's depth no longer depends on K.
 inline constexpr double least_bulk_ratio = 50;
@@ -59,7 +72,7 @@ struct LowerLayer {
   bool operator==(const LowerLayer&) const = default;
 };
 
-static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoFibres> && std::is_empty_v<NoAverage> && std::is_empty_v<NoRelaxation> &&
-              std::is_empty_v<NoFriction> && std::is_empty_v<RigidSphere>);
+static_assert(std::is_empty_v<NoErosion> && std::is_empty_v<NoFibres> && std::is_empty_v<NoAverage> &&
+              std::is_empty_v<NoRelaxation> && std::is_empty_v<NoFriction> && std::is_empty_v<RigidSphere>);
 
 }  // namespace percal

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "percal/scene/width.hpp"
 
@@ -28,10 +29,21 @@ GradedMeshOptions mesh_options(const Problem& p) {
           .depth = p.whole_depth()};
 }
 
+BoxGridOptions box_options(const Problem& p) {
+  const double sideways = std::tan(p.block.angle) * p.block.fine_depth;
+  const BoxAxis half{p.fine_width, p.width};
+  return {.elements_per_radius = p.elements_per_radius,
+          .growth = p.block.growth,
+          .left = p.whole ? half : BoxAxis{0, 0},
+          .right = {half.fine + sideways, half.end + sideways},
+          .along = {p.block.fine_thickness, p.width},
+          .down = {p.block.fine_depth, p.whole_depth()}};
+}
+
 int usual_graded_columns(const Problem& problem) { return graded_columns_for(usual_growth, mesh_options(problem)); }
 
 Problem on_mesh(const Problem& problem, double elements_per_radius) {
-  const bool usual = problem.graded_columns == usual_graded_columns(problem);
+  const bool usual = problem.geometry != Geometry::block && problem.graded_columns == usual_graded_columns(problem);
   Problem other = problem;
   other.elements_per_radius = round_to_12_digits(elements_per_radius);
   if (usual) other.graded_columns = usual_graded_columns(other);
@@ -70,6 +82,10 @@ std::vector<std::string> mesh_warnings(const Scene& scene, const Problem& proble
 }
 
 MeshChoice mesh_choice(const Scene& scene, const Problem& problem) {
+  if (problem.geometry == Geometry::block)
+    return {.width_was_chosen = !scene.target.width.has_value(),
+            .columns = static_cast<double>(box_grid(box_options(problem)).columns_x()),
+            .growth = problem.block.growth};
   return {.width_was_chosen = !scene.target.width.has_value(),
           .columns_were_chosen = !scene.mesh.graded_columns.has_value(),
           .columns = counts_of(mesh_options(problem)).columns(),

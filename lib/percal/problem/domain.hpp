@@ -1,5 +1,6 @@
 // The mesh of a problem, on any number of elements per radius.     docs/theory/impact.md, docs/decisions/0012-mesh-and-phase.md
 #pragma once
+#include "percal/mesh/box.hpp"
 #include "percal/mesh/graded.hpp"
 #include "percal/problem/problem.hpp"
 
@@ -7,6 +8,9 @@ namespace percal {
 
 // Of the right half.
 GradedMeshOptions mesh_options(const Problem& problem);
+
+// Of geometry block.
+BoxGridOptions box_options(const Problem& problem);
 
 // Graded columns where nobody says how many: none grows by more than usual_growth. 0: all columns are even.
 int usual_graded_columns(const Problem& problem);

@@ -21,8 +21,10 @@ struct ParticleText {
   std::string operator()(const RigidPolygon& profile) const {
     std::string vertices;
     for (const auto& [x, y] : profile.vertices) vertices += fmt::format("({:.12g},{:.12g})", x, y);
-    return fmt::format("profile=[{}] mass={:.12g} inertia={:.12g} rotation={}", vertices, profile.mass, profile.inertia,
-                       profile.free_rotation ? "free" : "fixed");
+    std::string text = fmt::format("profile=[{}] mass={:.12g} inertia={:.12g} rotation={}", vertices, profile.mass,
+                                   profile.inertia, profile.free_rotation ? "free" : "fixed");
+    if (profile.half_thickness != 0) text += fmt::format(" half-thickness={:.12g}", profile.half_thickness);
+    return text;
   }
 };
 
@@ -96,6 +98,9 @@ std::string relaxation_text(const Relaxation& relaxation) {
 std::string choices_text(const Problem& p) {
   std::string text;
   if (p.geometry == Geometry::plane_strain) text += " plane-strain";
+  if (p.geometry == Geometry::block)
+    text += fmt::format(" block={:.12g},{:.12g},{:.12g},{:.12g}", p.block.fine_thickness, p.block.fine_depth,
+                        p.block.growth, p.block.angle);
   if (p.whole) text += " whole";
   if (p.hourglass_form == HourglassForm::viscosity) text += " hourglass-viscosity";
   if (p.volumetric_law == VolumetricLaw::quadratic) text += " volumetric=quadratic";
@@ -111,6 +116,11 @@ std::string choices_text(const Problem& p) {
   return text;
 }
 
+// Blocks have a solver of their own, whose version leaves the others' evaluations what they are.
+std::string solver_text(const Problem& p) {
+  return p.geometry == Geometry::block ? fmt::format("solid-{}", solid_version) : fmt::format("{}", solver_version);
+}
+
 }  // namespace
 
 std::string sphere_key_prefix(const std::string& instruction_level) {
@@ -122,7 +132,7 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              "{} solver={} level={} arithmetic={} pi4={:.12g} density_ratio={:.12g} alpha={:.12g} bulk_ratio={:.12g} "
              "depth={:.12g} width={:.12g} bottom={} erosion={} mesh={:.12g},{:.12g},{} hourglass={:.12g} "
              "viscosity={:.12g},{:.12g} step={:.12g} end={:.12g} speed={:.12g}",
-             std::visit(ParticleText{}, p.particle), solver_version, instruction_level,
+             std::visit(ParticleText{}, p.particle), solver_text(p), instruction_level,
              p.arithmetic == Arithmetic::single_precision ? "single" : "double", p.pi4, p.density_ratio, p.alpha,
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,

@@ -37,6 +37,11 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
   if (friction_coefficient(problem) == 0) list.push_back({"friction", "the scene gives none"});
   if (problem.geometry == Geometry::plane_strain && !problem.whole)
     list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
+  if (problem.geometry == Geometry::block)
+    list.push_back(
+        problem.whole
+            ? LeftOut{"second half", "the scene is its own mirror image in the plane of flight: one side is computed"}
+            : LeftOut{"three quarters", "the scene is its own mirror image in two planes: one quarter is computed"});
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
   if (problem.history_samples == 0) list.push_back({"history", "nobody asked for it"});
   if (!problem.channel) list.push_back({"radius of the channel", "nobody asked for it"});

@@ -78,13 +78,17 @@ bool is_elastic(const Scene& scene) {
   return scene.particle.elasticity == Elasticity::elastic || *ratio >= rigid_below;
 }
 
-// A round particle over pi a^2 or 2 a is what its mean thickness along the way weighs; a profile's mass is per radian or per thickness.
+// A round particle over pi a^2 or 2 a is what its mean thickness along the way weighs; a profile's mass is per radian or per thickness, in
+// a block the whole of it.
 double sectional_density(const Problem& problem, const Scales& scales) {
   const bool plane = problem.geometry == Geometry::plane_strain;
   const auto* profile = std::get_if<RigidPolygon>(&problem.particle);
   const double mean_thickness = plane ? std::numbers::pi / 2 : 4.0 / 3;  // radii
-  const double over_density =
-      profile ? profile->mass * (plane ? 0.5 : 2) : problem.density_ratio * mean_thickness;  // over rho_t a
+  double over_density = problem.density_ratio * mean_thickness;          // over rho_t a
+  if (profile && problem.geometry == Geometry::block)
+    over_density = profile->mass / (4 * profile->half_thickness);
+  else if (profile)
+    over_density = profile->mass * (plane ? 0.5 : 2);
   return over_density * scales.target_density * scales.radius;
 }
 
@@ -103,8 +107,13 @@ Particle reduced_particle(const Scene& scene, double density_ratio) {
   RigidPolygon reduced;
   reduced.vertices = reduced_outline(*profile, scene.geometry);
   const SolidBody body = body_of(reduced.vertices, scene.geometry);
-  reduced.mass = round_to_12_digits(density_ratio * body.measure);
-  reduced.inertia = round_to_12_digits(density_ratio * body.inertia);
+  double thickness = 1;  // or a radian
+  if (scene.geometry == Geometry::block) {
+    reduced.half_thickness = round_to_12_digits(profile->thickness / 2 / half_width(standing(*profile)));
+    thickness = 2 * reduced.half_thickness;
+  }
+  reduced.mass = round_to_12_digits(density_ratio * body.measure * thickness);
+  reduced.inertia = round_to_12_digits(density_ratio * body.inertia * thickness);
   reduced.free_rotation = profile->free_rotation;
   return reduced;
 }

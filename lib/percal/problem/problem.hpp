@@ -18,14 +18,15 @@ struct Problem {
   double width = 5;                      // w / a
   Bottom bottom = Bottom::free;
   Geometry geometry = Geometry::axisymmetric;
-  bool whole = false;  // plane strain: both sides of x = 0; else the right half, mirrored
+  bool whole = false;     // plane strain and block: both sides of x = 0; else the right half, mirrored
+  BlockModel block = {};  // of geometry block
   Particle particle = RigidSphere{};
   Friction friction = NoFriction{};  // of a rigid particle
-  std::vector<LowerLayer> below;  // `depth` is then the first layer's thickness
+  std::vector<LowerLayer> below;     // `depth` is then the first layer's thickness
   Erosion erosion = NoErosion{};
   FurtherErosion further_erosion = {};
   ErosionAverage erosion_average = NoAverage{};
-  double stretch = 1;  // of the first layer's plane before the impact; 1: none
+  double stretch = 1;          // of the first layer's plane before the impact; 1: none
   Fibres fibres = NoFibres{};  // of the first layer
   Relaxation relaxation = NoRelaxation{};
 
@@ -56,7 +57,7 @@ struct Problem {
 
   double mu() const { return 1 / pi4; }
   double bulk() const { return bulk_ratio / pi4; }
-  double whole_depth() const;  // of all layers
+  double whole_depth() const;               // of all layers
   std::vector<double> lower_faces() const;  // their depths, undeformed
 };
 

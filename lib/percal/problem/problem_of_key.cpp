@@ -75,7 +75,8 @@ Particle particle_of(const KeyWords& words) {
   if (!words.values.contains("profile")) return RigidSphere{};
   RigidPolygon polygon{.mass = words.number("mass"),
                        .inertia = words.number("inertia"),
-                       .free_rotation = words.text("rotation") == "free"};
+                       .free_rotation = words.text("rotation") == "free",
+                       .half_thickness = words.number("half-thickness")};
   for (const std::string& corner : in_parentheses(words.text("profile"))) {
     const auto numbers = numbers_of(corner, 2);
     polygon.vertices.push_back({numbers[0], numbers[1]});
@@ -184,6 +185,11 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.speed_factor = words.number("speed");
   p.arithmetic = words.text("arithmetic") == "double" ? Arithmetic::double_precision : Arithmetic::single_precision;
   p.geometry = words.alone.contains("plane-strain") ? Geometry::plane_strain : Geometry::axisymmetric;
+  if (words.values.contains("block")) {
+    const auto numbers = numbers_of(words.text("block"), 4);
+    p.geometry = Geometry::block;
+    p.block = {numbers[0], numbers[1], numbers[2], numbers[3]};
+  }
   p.whole = words.alone.contains("whole");
   p.volumetric_law = volumetric_law_of(words.text("volumetric"));
   if (words.alone.contains("hourglass-viscosity")) p.hourglass_form = HourglassForm::viscosity;

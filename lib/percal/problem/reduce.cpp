@@ -149,11 +149,21 @@ Relaxation reduced_relaxation(const Scene& scene) {
   return reduced;
 }
 
+void take_block(const Scene& scene, Problem& p) {
+  p.whole |= scene.particle.angle != 0;
+  p.graded_columns = 0;
+  p.block = {.fine_thickness = round_to_12_digits(scene.mesh.fine_thickness),
+             .fine_depth = std::min(p.depth, round_to_12_digits(scene.mesh.fine_depth.value_or(p.depth))),
+             .growth = round_to_12_digits(scene.mesh.growth),
+             .angle = round_to_12_digits(scene.particle.angle)};
+}
+
 void take_mesh(const Scene& scene, Problem& p) {
   p.elements_per_radius = round_to_12_digits(scene.mesh.elements_per_radius);
   p.fine_width = round_to_12_digits(scene.mesh.fine_width);
+  p.whole = scene.geometry != Geometry::axisymmetric && (scene.mesh.whole || needs_both_halves(scene.particle));
+  if (scene.geometry == Geometry::block) return take_block(scene, p);
   p.graded_columns = scene.mesh.graded_columns ? *scene.mesh.graded_columns : usual_graded_columns(p);
-  p.whole = scene.geometry == Geometry::plane_strain && (scene.mesh.whole || needs_both_halves(scene.particle));
 }
 
 void take_solver(const Scene& scene, Problem& p) {

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "percal/scene/block_toml.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/sphere_toml.hpp"
@@ -32,8 +33,9 @@ std::optional<double> angle_of(std::string_view text) {
   return std::nullopt;
 }
 
-// `range` in rad.
-double angle(const TomlTable& table, const std::string& key, const Range& range) {
+}  // namespace
+
+double angle_from(const TomlTable& table, const std::string& key, const Range& range) {
   table.describe(key, {"angle", range.words, ""});
   const std::string text = table.text(key);
   const auto value = angle_of(text);
@@ -41,13 +43,16 @@ double angle(const TomlTable& table, const std::string& key, const Range& range)
   return *value;
 }
 
+namespace {
+
 double half_tip_angle(const TomlTable& table) {
-  return angle(table, "tip_angle",
-               {.low = 0,
-                .high = 2 * right_angle,
-                .low_open = true,
-                .high_open = true,
-                .words = "the full angle of the tip with its unit, such as \"60 deg\", above 0 and below 180 deg"}) /
+  return angle_from(
+             table, "tip_angle",
+             {.low = 0,
+              .high = 2 * right_angle,
+              .low_open = true,
+              .high_open = true,
+              .words = "the full angle of the tip with its unit, such as \"60 deg\", above 0 and below 180 deg"}) /
          2;
 }
 
@@ -87,7 +92,7 @@ void set_outline(const TomlTable& table, const std::string& key, const Polygon& 
                                    : "the corners of a convex polygon in their order";
   try {
     profile.vertices = convex_polygon(points);
-    if (geometry == Geometry::plane_strain || is_symmetric_about_the_axis(profile)) return;
+    if (geometry != Geometry::axisymmetric || is_symmetric_about_the_axis(profile)) return;
     const double left = span(profile.vertices)[0];
     if (left < -mirror_tolerance * half_width(profile.vertices))
       throw std::invalid_argument("a profile that as it stands is not its own mirror image in x = 0");
@@ -99,14 +104,20 @@ void set_outline(const TomlTable& table, const std::string& key, const Polygon& 
   }
 }
 
+// m
+std::optional<double> thickness_from(const TomlTable& table) {
+  return table.optional_quantity("thickness", dimension::length, positive("length"));
+}
+
 // kg, or kg per metre of a prism.
 std::optional<double> mass_from(const TomlTable& table, Geometry geometry) {
   const auto mass = table.optional_quantity("mass", dimension::mass, positive("mass"));
-  const auto thickness = table.optional_quantity("thickness", dimension::length, positive("length"));
+  const auto thickness = thickness_from(table);
   if (mass && table.has("density")) table.refuse("mass", "this beside density", "one of the two");
   if (thickness && geometry == Geometry::axisymmetric)
     table.refuse("thickness", "this in an axisymmetric scene", "no thickness: mass is that of the whole body");
-  if (thickness && !mass) table.refuse("thickness", "this without a mass", "mass beside it, or density alone");
+  if (thickness && !mass && geometry == Geometry::plane_strain)
+    table.refuse("thickness", "this without a mass", "mass beside it, or density alone");
   if (mass && !thickness && geometry == Geometry::plane_strain)
     table.refuse("mass", "this without a thickness", "thickness beside it: plane strain takes mass/thickness");
   return mass && thickness ? *mass / *thickness : mass;
@@ -128,13 +139,15 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
   if (shape == "cone" && geometry == Geometry::plane_strain)
     table.refuse("shape", "\"cone\" in plane strain",
                  "a prism: \"cylinder\", \"rhombus\" or \"profile\"; a wedge is a profile of three vertices");
+  if (shape == "cone" && geometry == Geometry::block)
+    table.refuse("shape", "\"cone\" in a block", "a sphere or a prism: \"rhombus\" or \"profile\"");
   ProfileShape profile;
   if (table.has("orientation"))
     profile.orientation =
-        angle(table, "orientation",
-              {.low = -4 * right_angle,
-               .high = 4 * right_angle,
-               .words = "an angle from -360 to 360 deg with its unit, such as \"45 deg\" or \"0.5 rad\""});
+        angle_from(table, "orientation",
+                   {.low = -4 * right_angle,
+                    .high = 4 * right_angle,
+                    .words = "an angle from -360 to 360 deg with its unit, such as \"45 deg\" or \"0.5 rad\""});
   else
     table.knows("orientation");
   const Polygon points = shape == "rhombus" ? rhombus(table)
@@ -151,6 +164,12 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
         "rotation", "\"free\" in an axisymmetric scene",
         "\"fixed\"; a body of revolution that turns is no longer axisymmetric (geometry = \"plane strain\" lets it)");
   profile.mass = mass_from(table, geometry);
+  if (geometry == Geometry::block) {
+    const auto thickness = thickness_from(table);
+    if (!thickness)
+      table.refuse("thickness", "no such key", "the thickness of the prism, across the plane of its profile");
+    profile.thickness = *thickness;
+  }
   particle.radius = half_width(standing(profile));
   particle.density =
       density_from(table, profile.mass,
@@ -161,7 +180,7 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
 // m3 of a sphere; m2 of a cylinder on its side, per metre of thickness.
 double round_measure(double radius, Geometry geometry) {
   const double circle = std::numbers::pi * radius * radius;
-  return geometry == Geometry::axisymmetric ? 4.0 / 3 * circle * radius : circle;
+  return geometry == Geometry::plane_strain ? circle : 4.0 / 3 * circle * radius;
 }
 
 // Keys that another shape has. They are known, and refused where they are given.
@@ -197,6 +216,8 @@ void read_elasticity(const TomlTable& table, const std::string& shape, Geometry 
 ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
   const std::vector<std::string> shapes{"sphere", "cylinder", "profile", "rhombus", "cone"};
   const std::string shape = shapes[table.word("shape", shapes, 0)];
+  if (shape == "cylinder" && geometry == Geometry::block)
+    table.refuse("shape", "\"cylinder\" in a block", "\"sphere\"; a cylinder on its side is a profile of many corners");
   if (shape == "cylinder" && geometry == Geometry::axisymmetric)
     table.refuse(
         "shape", "\"cylinder\" in an axisymmetric scene",
@@ -207,17 +228,20 @@ ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
   if (shape == "sphere" || shape == "cylinder") {
     particle.radius = radius_from(table);
     particle.density = density_from(table, mass_from(table, geometry), round_measure(particle.radius, geometry));
+    if (geometry == Geometry::block) refuse_keys(table, {"thickness"}, shape, "no thickness of a sphere");
     refuse_keys(table, {"vertices", "side", "tip_angle", "orientation", "rotation"}, shape,
                 "the keys of a round particle: radius or diameter, density or mass");
   } else {
     const bool cone = shape == "cone", profile = shape == "profile";
-    if (!cone) refuse_keys(table, {"radius", "diameter"}, shape, "no radius: it is half the width of the shape as it stands");
+    if (!cone)
+      refuse_keys(table, {"radius", "diameter"}, shape, "no radius: it is half the width of the shape as it stands");
     if (shape != "rhombus") refuse_keys(table, {"side"}, shape, "side only of a rhombus");
     if (profile) refuse_keys(table, {"tip_angle"}, shape, "tip_angle only of a rhombus or a cone");
     if (!profile) refuse_keys(table, {"vertices"}, shape, "vertices only beside shape = \"profile\"");
     read_profile(table, shape, geometry, particle);
   }
   particle.speed = table.quantity("speed", dimension::speed, positive("speed"));
+  read_angle(table, geometry, particle);
   read_elasticity(table, shape, geometry, particle);
   if (const double coefficient = table.number("friction", not_negative(), 0.0); coefficient > 0)
     particle.friction = CoulombFriction{coefficient};

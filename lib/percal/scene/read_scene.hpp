@@ -16,6 +16,9 @@ const std::vector<std::string>& volumetric_words();
 const std::vector<std::string>& eroded_node_words();
 const std::vector<std::string>& run_until_words();
 
+// rad; `range` likewise. Throws BadInput.
+double angle_from(const TomlTable& table, const std::string& key, const Range& range);
+
 // Throws BadInput.
 ParticleScene particle_from(const TomlTable& table, Geometry geometry);
 

@@ -14,7 +14,7 @@ namespace percal {
 
 enum class Bottom { free, fixed };
 enum class Arithmetic { single_precision, double_precision };
-enum class Geometry { axisymmetric, plane_strain };
+enum class Geometry { axisymmetric, plane_strain, block };  // block: in three dimensions
 
 // --- volumetric stiffness: what the scene says about it ---------------------------------------------------------
 // K at least 50 mu and a Mach number below 0.3.
@@ -116,6 +116,7 @@ struct ProfileShape {
   double orientation = 0;                       // rad, by which it is turned anticlockwise
   std::optional<double> mass;                   // kg, or kg per metre of a prism; left out: by the density
   bool free_rotation = false;                   // free to turn and to move sideways; else straight down as it stands
+  double thickness = 0;                         // m, of a prism in a block; else 0
   bool operator==(const ProfileShape&) const = default;
 };
 using ParticleShape = std::variant<RoundShape, ProfileShape>;
@@ -139,6 +140,7 @@ struct ParticleScene {
   double radius = 0;                     // m
   double density = 0;                    // kg/m3
   double speed = 0;                      // m/s, straight down
+  double angle = 0;                      // rad, of a block: the speed points so far to the right of straight down
   std::optional<double> youngs_modulus;  // Pa
   double poisson_ratio = 0.3;            // of an elastic particle
   Elasticity elasticity = Elasticity::automatic;
@@ -184,18 +186,22 @@ struct LowerLayerScene {
 };
 
 // The mesh: square elements of side radius/elements_per_radius to fine_width radii from the axis or just beyond, then
-// graded_columns columns growing geometrically to the wall.
+// graded_columns columns growing geometrically to the wall. In a block cubes, which grow beyond a fine box to the walls.
 struct MeshScene {
   double elements_per_radius = 10;    // need not be whole
   double fine_width = 1.0;            // in particle radii
   std::optional<int> graded_columns;  // left out: as many as keep their growth at most usual_growth (mesh/graded.hpp)
-  bool whole = false;                 // plane strain: both halves even where the scene is symmetric
+  bool whole = false;                 // plane strain and block: both halves even where the scene is symmetric
+  // Of a block:
+  double fine_thickness = 1.0;       // in particle radii, as fine_width, along y
+  std::optional<double> fine_depth;  // in particle radii; left out: all of the depth
+  double growth = 1.25;              // of each cell over the one before, at most
   bool operator==(const MeshScene&) const = default;
 };
 
 enum class VolumetricLaw { log_quadratic, quadratic, logarithmic };  // U/K = (J^2-1-2 ln J)/4, (J-1)^2/2, (ln J)^2/2
 enum class HourglassForm { stiffness, viscosity };
-double usual_hourglass(HourglassForm form);  // where a scene gives none
+double usual_hourglass(HourglassForm form, Geometry geometry = Geometry::axisymmetric);  // where a scene gives none
 enum class ErodedNodes {
   released,
   in_contact

@@ -67,11 +67,12 @@ void write_profile(Lines& lines, const ParticleScene& particle, const ProfileSha
   lines.pairs("vertices", profile.vertices, "m");
   lines.quantity("orientation", profile.orientation, "rad");
   lines.word("rotation", profile.free_rotation ? "free" : "fixed");
+  if (geometry == Geometry::block) lines.quantity("thickness", profile.thickness, "m");
   if (!profile.mass) {
     lines.quantity("density", particle.density, "kg/m3");
     return;
   }
-  lines.quantity("mass", *profile.mass, "kg");
+  lines.quantity("mass", *profile.mass * (geometry == Geometry::block ? profile.thickness : 1), "kg");
   if (geometry == Geometry::plane_strain) lines.quantity("thickness", 1, "m");
 }
 
@@ -86,10 +87,12 @@ void write_particle(Lines& lines, const ParticleScene& particle, Geometry geomet
     lines.quantity("density", particle.density, "kg/m3");
   }
   lines.quantity("speed", particle.speed, "m/s");
+  if (particle.angle != 0) lines.quantity("angle", particle.angle, "rad");
   if (particle.youngs_modulus) lines.quantity("youngs_modulus", *particle.youngs_modulus, "Pa");
   lines.number("poisson_ratio", particle.poisson_ratio);
   lines.choice("elasticity", elasticity_words(), particle.elasticity);
-  if (const auto* coulomb = std::get_if<CoulombFriction>(&particle.friction)) lines.number("friction", coulomb->coefficient);
+  if (const auto* coulomb = std::get_if<CoulombFriction>(&particle.friction))
+    lines.number("friction", coulomb->coefficient);
 }
 
 void write_volumetric(Lines& lines, const VolumetricChoice& volumetric) {
@@ -185,12 +188,16 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
   }
 }
 
-void write_mesh(Lines& lines, const MeshScene& mesh) {
+void write_mesh(Lines& lines, const MeshScene& mesh, Geometry geometry) {
   lines.table("mesh");
   lines.number("elements_per_radius", mesh.elements_per_radius);
   lines.number("fine_width", mesh.fine_width);
   if (mesh.graded_columns) lines.integer("graded_columns", *mesh.graded_columns);
   lines.flag("whole", mesh.whole);
+  if (geometry != Geometry::block) return;
+  lines.number("fine_thickness", mesh.fine_thickness);
+  if (mesh.fine_depth) lines.number("fine_depth", *mesh.fine_depth);
+  lines.number("growth", mesh.growth);
 }
 
 void write_solver(Lines& lines, const SolverScene& solver) {
@@ -218,7 +225,7 @@ std::string scene_to_toml(const Scene& scene, const std::string& comment) {
   write_particle(lines, scene.particle, scene.geometry);
   write_target(lines, scene.target);
   write_below(lines, scene.below, scene.target.erosion);
-  write_mesh(lines, scene.mesh);
+  write_mesh(lines, scene.mesh, scene.geometry);
   write_solver(lines, scene.solver);
   lines.table("output");
   lines.flag("history", scene.output.history);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "percal/scene/block_toml.hpp"
 #include "percal/scene/document_kind.hpp"
 #include "percal/scene/erosion_length.hpp"
 #include "percal/scene/erosion_toml.hpp"
@@ -133,7 +134,7 @@ Choice choice(const TomlTable& table, const char* key, const std::vector<std::st
 }
 
 MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
-  MeshScene mesh;
+  MeshScene mesh = scene.mesh;
   mesh.elements_per_radius = table.number("elements_per_radius", elements_per_radius_range(), mesh.elements_per_radius);
   const double width_in_radii = width_of(scene) / scene.particle.radius;
   constexpr double rounding = 1 + 1e-12;  // of width/radius
@@ -146,8 +147,10 @@ MeshScene read_mesh(const TomlTable& table, const Scene& scene) {
   mesh.fine_width = table.number("fine_width", within_target, mesh.fine_width);
   mesh.graded_columns = table.optional_integer("graded_columns", 1, most_graded_columns);
   mesh.whole = table.flag("whole", mesh.whole);
+  read_block_mesh(table, scene, mesh);
   if (mesh.whole && scene.geometry == Geometry::axisymmetric)
-    table.refuse("whole", "true in an axisymmetric scene", "false; geometry = \"plane strain\" has two halves");
+    table.refuse("whole", "true in an axisymmetric scene",
+                 "false; geometry = \"plane strain\" or \"block\" has two halves");
   if (table.has("whole") && !mesh.whole && needs_both_halves(scene.particle))
     table.refuse("whole", "false for a particle that may turn or is not its own mirror image in a vertical line",
                  "true, or nothing; rotation = \"fixed\" and a symmetric profile for a half model");
@@ -176,7 +179,7 @@ std::vector<LowerLayerScene> read_below(const TomlTable& root, const TomlTable& 
 }  // namespace
 
 const std::vector<std::string>& geometry_words() {
-  static const std::vector<std::string> words{"axisymmetric", "plane strain"};
+  static const std::vector<std::string> words{"axisymmetric", "plane strain", "block"};
   return words;
 }
 const std::vector<std::string>& elasticity_words() {
@@ -215,17 +218,28 @@ VolumetricChoice volumetric_from(const TomlTable& table) {
 
 Range elements_per_radius_range() { return {.low = 1, .high = 1000, .words = "a number from 1 to 1000"}; }
 
-double usual_hourglass(HourglassForm form) { return form == HourglassForm::viscosity ? 0.02 : 0.5; }
+// Bricks have twelve patterns to hold where a quad has two: docs/theory/solid.md (10).
+double usual_hourglass(HourglassForm form, Geometry geometry) {
+  if (form == HourglassForm::viscosity) return 0.02;
+  return geometry == Geometry::block ? 2 : 0.5;
+}
 
-SolverScene solver_from(const TomlTable& table) {
+SolverScene usual_solver(Geometry geometry) {
   SolverScene solver;
+  solver.hourglass = usual_hourglass(solver.hourglass_form, geometry);
+  if (geometry == Geometry::block) solver.rates = 1;
+  return solver;
+}
+
+SolverScene solver_from(const TomlTable& table, Geometry geometry) {
+  SolverScene solver = usual_solver(geometry);
   const auto share = [&table](const char* key, double fallback) { return table.number(key, not_negative(), fallback); };
   if (table.has("contact_stiffness")) {  // of a scene of a time when contact had springs
     table.number("contact_stiffness", positive());
     solver.contact_stiffness_was_given = true;
   }
   solver.hourglass_form = choice(table, "hourglass_form", hourglass_words(), solver.hourglass_form);
-  solver.hourglass = share("hourglass", usual_hourglass(solver.hourglass_form));
+  solver.hourglass = share("hourglass", usual_hourglass(solver.hourglass_form, geometry));
   solver.volumetric_law = choice(table, "volumetric_law", volumetric_words(), solver.volumetric_law);
   solver.eroded_nodes = choice(table, "eroded_nodes", eroded_node_words(), solver.eroded_nodes);
   solver.linear_viscosity = share("linear_viscosity", solver.linear_viscosity);
@@ -249,15 +263,18 @@ Scene scene_from(const TomlTable& table) {
   scene.target = target_from(target, scene.particle, scene.geometry,
                              layered ? positive("length") : length_above(scene.particle.radius, "radius"));
   scene.below = read_below(table, target, scene);
+  scene.mesh = usual_mesh(scene);
   if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, scene);
-  if (scene.geometry == Geometry::plane_strain && needs_both_halves(scene.particle)) scene.mesh.whole = true;
+  if (scene.geometry != Geometry::axisymmetric && needs_both_halves(scene.particle)) scene.mesh.whole = true;
   if (erosion_length(scene.target)) {
     const TomlTable erosion = target.table("erosion");
     need_elements_in_erosion_length(scene, erosion.place(erosion_length_key(erosion)));
   }
-  if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver);
+  scene.solver = usual_solver(scene.geometry);
+  if (const auto solver = table.optional_table("solver")) scene.solver = solver_from(*solver, scene.geometry);
   if (const auto output = table.optional_table("output")) scene.output = read_output(*output);
   scene.replicates = table.integer("replicates", 1, most_replicates, scene.replicates);
+  if (scene.geometry == Geometry::block) refuse_what_a_block_lacks(table, scene);
   return scene;
 }
 

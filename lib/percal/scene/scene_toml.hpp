@@ -16,7 +16,7 @@ Scene scene_from(const TomlTable& table);
 
 // Parts of a scene, for jobs that hold no whole one: `nu` or `bulk_to_shear` of a table; the keys of a [solver] table.
 VolumetricChoice volumetric_from(const TomlTable& table);
-SolverScene solver_from(const TomlTable& table);
+SolverScene solver_from(const TomlTable& table, Geometry geometry = Geometry::axisymmetric);
 
 // What an `elements_per_radius` may be, wherever one is written.
 Range elements_per_radius_range();

@@ -7,13 +7,6 @@
 
 namespace percal::PERCAL_LEVEL {
 
-template <class V>
-PERCAL_INLINE V first_lane(RealOf<V> x) {
-  V v{};
-  v[0] = x;
-  return v;
-}
-
 // The walk down one column of elements. Corners: inner upper (node i, j), outer upper (i+1, j), outer lower (i+1, j+1), inner lower
 // (i, j+1). What the solid is made of answers through `solid`: UniformSolid, AveragedSolid or GeneralSolid.
 template <class Real, class Solid>

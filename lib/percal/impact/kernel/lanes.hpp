@@ -90,6 +90,14 @@ PERCAL_INLINE V broadcast(RealOf<V> x) {
   return V{} + x;
 }
 
+// x in the first lane, 0 in the others.
+template <class V>
+PERCAL_INLINE V first_lane(RealOf<V> x) {
+  V v{};
+  v[0] = x;
+  return v;
+}
+
 // take_first ? a : b, lane by lane; take_first is what a comparison of V returns.
 template <class M, class V>
 PERCAL_INLINE V select(M take_first, V a, V b) {

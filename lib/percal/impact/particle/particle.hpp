@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -35,10 +36,21 @@ struct PointVelocity {
 
 struct ParticleEnergy {
   double kinetic = 0;
-  double stored = 0;   // in its deformation
-  double viscous = 0;  // lost to its viscosity up to now
+  double stored = 0;      // in its deformation
+  double viscous = 0;     // lost to its viscosity up to now
   double collisions = 0;  // lost up to now where its outline took the target's impulses in parts
 };
+
+// Of a convex polygon, counter-clockwise, what is right of x = 0: from the lower crossing to the upper one.
+std::vector<Point> right_half(const std::vector<Point>& polygon);
+
+// The place of a body's centre of mass, z downwards, and how far it has turned anticlockwise.
+struct BodyPlace {
+  double x, z, angle;
+};
+// A rigid outline as it is now; y upwards. It stood on the surface at first, its lowest point `lowest` from the centre of mass.
+ParticlePiece moved_piece(const std::vector<Point>& outline, double lowest, const BodyPlace& place,
+                          const std::function<PointVelocity(double x, double z)>& velocity_at);
 
 // What a particle that does not deform answers to the questions that only others have to think about.
 struct NeverDeforms {

@@ -17,11 +17,10 @@ void add_cells(FramePiece& piece, const QuadMesh& mesh) {
   }
 }
 
-using Polygon = std::vector<Point>;
+}  // namespace
 
-// What is right of x = 0, from the lower crossing to the upper one; the polygon is convex and counter-clockwise.
-Polygon right_half(const Polygon& polygon) {
-  Polygon half;
+std::vector<Point> right_half(const std::vector<Point>& polygon) {
+  std::vector<Point> half;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point &from = polygon[k], &to = polygon[(k + 1) % polygon.size()];
     if (from[0] >= 0) half.push_back(from);
@@ -33,8 +32,6 @@ Polygon right_half(const Polygon& polygon) {
   std::rotate(half.begin(), lowest_on_axis, half.end());
   return half;
 }
-
-}  // namespace
 
 ParticlePiece SphereRun::piece(const Problem& problem) const {
   const int elements = elements_on_particle_radius(problem);
@@ -48,24 +45,29 @@ ParticlePiece SphereRun::piece(const Problem& problem) const {
   return piece;
 }
 
-ParticlePiece PolygonRun::piece(const Problem&) const {
-  const Polygon polygon = whole_ ? profile_.vertices : right_half(profile_.vertices);
-  double lowest = 0;  // of the vertices at first, when the tip touches the surface
-  for (const Point& vertex : profile_.vertices) lowest = std::min(lowest, vertex[1]);
-  const double cosine = std::cos(here_.angle), sine = std::sin(here_.angle);
+ParticlePiece moved_piece(const std::vector<Point>& outline, double lowest, const BodyPlace& place,
+                          const std::function<PointVelocity(double x, double z)>& velocity_at) {
+  const double cosine = std::cos(place.angle), sine = std::sin(place.angle);
   ParticlePiece piece;
-  for (const auto& [x, y] : polygon) {
-    const Point now{here_.x + cosine * x - sine * y, -here_.z + sine * x + cosine * y};
+  for (const auto& [x, y] : outline) {
+    const Point now{place.x + cosine * x - sine * y, -place.z + sine * x + cosine * y};
     const PointVelocity velocity = velocity_at(now[0], -now[1]);
     piece.position.push_back(now);
     piece.displacement.push_back({now[0] - x, now[1] - (y - lowest)});
     piece.velocity.push_back({velocity.x, -velocity.z});
   }
-  piece.outline.resize(polygon.size());
+  piece.outline.resize(outline.size());
   std::iota(piece.outline.begin(), piece.outline.end(), 0);
   piece.corners = piece.outline;
-  piece.ends = {static_cast<int>(polygon.size())};
+  piece.ends = {static_cast<int>(outline.size())};
   return piece;
+}
+
+ParticlePiece PolygonRun::piece(const Problem&) const {
+  double lowest = 0;
+  for (const Point& vertex : profile_.vertices) lowest = std::min(lowest, vertex[1]);
+  return moved_piece(whole_ ? profile_.vertices : right_half(profile_.vertices), lowest,
+                     {here_.x, here_.z, here_.angle}, [this](double x, double z) { return velocity_at(x, z); });
 }
 
 ParticlePiece ElasticSphereRun::piece(const Problem&) const {

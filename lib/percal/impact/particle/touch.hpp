@@ -8,7 +8,8 @@
 
 namespace percal {
 
-// One node at the surface. Positions and velocities with z downwards.
+// One node at the surface. Positions and velocities with z downwards. y, across the plane in which a body turns and moves, is that of
+// three dimensions; elsewhere it is 0.
 struct Touch {
   int column = 0;
   long node = 0;
@@ -16,7 +17,7 @@ struct Touch {
   double x = 0, z = 0;            // at the end of the step
   double from_x = 0, from_z = 0;  // at its beginning
   // Outward: how fast the gap closes for each of the node's velocities. Of length 1, but where two sides are as near.
-  double away_x = 0, away_z = 0;
+  double away_x = 0, away_y = 0, away_z = 0;
   double rate = 0;     // at which it has to part from the particle, more than it does now
   double before = 0;   // the node's own velocity along `away` before the step's forces
   double now = 0;      // the same after them
@@ -27,7 +28,7 @@ struct Touch {
   double along_before = 0, along_now = 0;  // as before and now, along `along`
   double rub = 0;                          // impulse along it, of either sign
 
-  double steepness() const { return away_x * away_x + away_z * away_z; }
+  double steepness() const { return away_x * away_x + away_y * away_y + away_z * away_z; }
   // Its own velocity along `away` in the middle of the step, once it has its impulse.
   double mean_velocity() const { return 0.5 * (before + now + steepness() * impulse / mass); }
   double mean_sliding() const { return 0.5 * (along_before + along_now + rub / mass); }

@@ -15,11 +15,27 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double undeformed_step(const GradedMesh& mesh, double mu, double bulk) {
-  double width = mesh.radius[1] - mesh.radius[0];
-  for (int i = 1; i < mesh.columns(); ++i) width = std::min(width, mesh.radius[i + 1] - mesh.radius[i]);
-  const double height = mesh.row_height;
-  return 1 / std::sqrt((bulk + 4.0 / 3 * mu) * (1 / (width * width) + 1 / (height * height)));
+double smallest_gap(const std::vector<double>& nodes) {
+  double gap = nodes[1] - nodes[0];
+  for (std::size_t i = 2; i < nodes.size(); ++i) gap = std::min(gap, nodes[i] - nodes[i - 1]);
+  return gap;
+}
+
+double inverse_square(double side) { return 1 / (side * side); }
+
+// The sum of 1/h^2 over the sides of the smallest element.
+double inverse_squares_of_sides(const Problem& p) {
+  if (p.geometry == Geometry::block) {
+    const BoxGrid grid = box_grid(box_options(p));
+    return inverse_square(smallest_gap(grid.x)) + inverse_square(smallest_gap(grid.y)) +
+           inverse_square(smallest_gap(grid.z));
+  }
+  const GradedMesh mesh = mesh_of(p);
+  return inverse_square(smallest_gap(mesh.radius)) + inverse_square(mesh.row_height);
+}
+
+double undeformed_step(double inverse_squares, double mu, double bulk) {
+  return 1 / std::sqrt((bulk + 4.0 / 3 * mu) * inverse_squares);
 }
 
 bool is_supersonic(const Problem& p) { return mach_number(p) * p.speed_factor >= 1; }
@@ -43,14 +59,13 @@ struct LimitOf {
 };
 
 std::vector<Layer> layers_of(const Problem& p) {
-  std::vector<Layer> layers{{p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion,
-                             p.stretch, p.fibres}};
+  std::vector<Layer> layers{
+      {p.mu(), p.bulk(), p.alpha, 1, std::visit(LimitOf{}, p.erosion), p.further_erosion, p.stretch, p.fibres}};
   const bool erodes = !std::holds_alternative<NoErosion>(p.erosion);
   for (const LowerLayer& below : p.below)
-    layers.push_back(
-        {below.mu, below.bulk_ratio * below.mu, below.alpha, below.density, erodes ? below.erosion_limit : infinite,
-         erodes ? below.further_erosion : FurtherErosion{}, below.stretch,
-         below.fibres});
+    layers.push_back({below.mu, below.bulk_ratio * below.mu, below.alpha, below.density,
+                      erodes ? below.erosion_limit : infinite, erodes ? below.further_erosion : FurtherErosion{},
+                      below.stretch, below.fibres});
   return layers;
 }
 
@@ -120,7 +135,7 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
   const double quadratic = shock ? std::max(p.quadratic_viscosity, supersonic_quadratic) : p.quadratic_viscosity;
   const auto* series = std::get_if<PronySeries>(&p.relaxation);
   const double lasting = series ? lasting_share(*series) : 1;
-  const GradedMesh mesh = mesh_of(p);
+  const double sides = inverse_squares_of_sides(p);
   std::vector<MaterialConstants> layers;
   for (const Layer& layer : layers_of(p)) {
     MaterialConstants c{.mu = layer.mu,
@@ -135,14 +150,15 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
                         .density = layer.density,
                         .erosion_limit = infinite};
     set_erosion_limit(c, layer, p);
-    if (const auto* fibres = std::get_if<PlanarFibres>(&layer.fibres)) c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
-    c.initial = initial_stretch(
-        layer.stretch, p.geometry,
-        {{layer.mu * lasting, layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
+    if (const auto* fibres = std::get_if<PlanarFibres>(&layer.fibres))
+      c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
+    c.initial =
+        initial_stretch(layer.stretch, p.geometry,
+                        {{layer.mu * lasting, layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
     if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
-          1 / (distorted_step * undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
+          1 / (distorted_step * undeformed_step(sides, layer.mu / layer.density, layer.bulk / layer.density));
     }
     layers.push_back(c);
   }
@@ -217,10 +233,10 @@ template GeneralSolidView<float> TargetSolid::view(Block<float>&) const;
 template GeneralSolidView<double> TargetSolid::view(Block<double>&) const;
 
 StepLimits step_limits(const Problem& p) {
-  const GradedMesh mesh = mesh_of(p);
+  const double sides = inverse_squares_of_sides(p);
   double first_step = infinite;
   for (const Layer& layer : layers_of(p))
-    first_step = std::min(first_step, undeformed_step(mesh, layer.mu / layer.density, layer.bulk / layer.density));
+    first_step = std::min(first_step, undeformed_step(sides, layer.mu / layer.density, layer.bulk / layer.density));
   return {.first_step = first_step,
           .time_step_factor = is_supersonic(p) ? std::min(p.time_step_factor, supersonic_step) : p.time_step_factor};
 }

@@ -22,12 +22,32 @@ double physical_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-// Of the undeformed square element; density, mu and K over mu of the layer where it is least.
+// Of the undeformed cell, a square or a cube; density, mu and K over mu of the layer where it is least.
 double first_step(const Problem& p, double side) {
   double fastest = (p.bulk_ratio + 4.0 / 3) * p.mu();  // wave speed squared
   for (const LowerLayer& layer : p.below)
     fastest = std::max(fastest, (layer.bulk_ratio + 4.0 / 3) * layer.mu / layer.density);
-  return std::min(p.time_step_factor * side / std::sqrt(2 * fastest), largest_travel * side / p.speed_factor);
+  const int dimensions = p.geometry == Geometry::block ? 3 : 2;
+  return std::min(p.time_step_factor * side / std::sqrt(dimensions * fastest), largest_travel * side / p.speed_factor);
+}
+
+double most_steps_of(const Problem& p) {
+  return std::min(p.end_time, 2 * p.whole_depth()) / (mean_over_first_step * first_step(p, 1 / p.elements_per_radius));
+}
+
+double bytes_of_a_number(const Problem& p) {
+  return p.arithmetic == Arithmetic::single_precision ? sizeof(float) : sizeof(double);
+}
+
+RunSize size_of_block(const Problem& p) {
+  const BoxGrid grid = box_grid(box_options(p));
+  const double across = static_cast<double>(grid.columns_x()) * grid.columns_y();
+  const double nodes = (grid.columns_x() + 1.0) * (grid.columns_y() + 1.0) * (grid.rows() + 1.0);
+  return {.columns = across,
+          .rows = static_cast<double>(grid.rows()),
+          .elements = across * grid.rows(),
+          .bytes = nodes * (bytes_of_a_number(p) * fields_per_brick + 1),
+          .steps = most_steps_of(p)};
 }
 
 bool beyond_memory(const RunSize& size) { return size.bytes > physical_memory() || size.elements > most_elements; }
@@ -45,13 +65,12 @@ std::string key_to_blame(const Problem& problem, const SizeKeys& keys, bool (*to
 }  // namespace
 
 RunSize size_of(const Problem& p) {
+  if (p.geometry == Geometry::block) return size_of_block(p);
   const GradedCounts counts = counts_of(mesh_options(p));
-  const double real = p.arithmetic == Arithmetic::single_precision ? sizeof(float) : sizeof(double);
   RunSize size{.columns = counts.columns() * (p.whole ? 2 : 1), .rows = counts.rows};
   size.elements = size.columns * size.rows;
-  size.bytes = (size.columns + 1) * (size.rows + 1) * (real * fields_per_element(p) + 1);
-  size.steps =
-      std::min(p.end_time, 2 * p.whole_depth()) / (mean_over_first_step * first_step(p, 1 / p.elements_per_radius));
+  size.bytes = (size.columns + 1) * (size.rows + 1) * (bytes_of_a_number(p) * fields_per_element(p) + 1);
+  size.steps = most_steps_of(p);
   return size;
 }
 

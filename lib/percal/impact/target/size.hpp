@@ -6,6 +6,9 @@
 
 namespace percal {
 
+// Numbers that a block in three dimensions keeps for each node, besides a byte.
+inline constexpr int fields_per_brick = 14;
+
 // In double, so that no scene is too large to be counted. The steps are an estimate from above: the particle needs no longer than
 // twice the target's depth at impact speed, and the mean step is about a quarter of the first.
 struct RunSize {

@@ -78,6 +78,7 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, const Scales& 
           {"eroded_by", eroded_by_to_json(replicate, r)},
           {"smallest_jacobian", finite(r.smallest_jacobian)},
           {"smallest_step_over_first", finite(r.smallest_step)},
+          {"sideways_m", finite(r.sideways * scales.radius)},
           {"turn_rad", finite(r.turn)},
           {"energy_closure", finite(r.energy.closure())},
           {"cpu_s", finite(run.cpu_seconds)},

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numbers>
 
 #include "percal/observe/page/depth_error.hpp"
 #include "percal/observe/page/field_measures.hpp"
@@ -177,6 +178,32 @@ std::string eroded_words(const Json& result) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// "29 of them graded (chosen by the program), each 1.2 times the last"; of a block, whose cells grow along all axes, how many across.
+std::string columns_words(const Json& mesh) {
+  const std::string growth = shown(number(mesh, "growth"), 3);
+  if (number_or(mesh, "graded_columns", 0) == 0 && number_or(mesh, "growth", 1) > 1)
+    return fmt::format("from wall to wall of what is computed, each at most {} times the last", growth);
+  return fmt::format("{} of them graded ({}), each {} times the last", shown(number(mesh, "graded_columns")),
+                     yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given", growth);
+}
+
+// "3.2 mm to the right, turned by 12 deg anticlockwise": means of the runs; nothing of a particle that went straight down.
+std::string path_words(const Json& result) {
+  double sideways = 0, turn = 0;
+  const auto& runs = list(result, "runs");
+  for (const Json& run : runs) {
+    sideways += number_or(run, "sideways_m", 0) / static_cast<double>(runs.size());
+    turn += number_or(run, "turn_rad", 0) / static_cast<double>(runs.size());
+  }
+  if (sideways == 0 && turn == 0) return "";
+  std::string words = length(std::abs(sideways), 3) + (sideways < 0 ? " to the left" : " to the right");
+  constexpr double degree = std::numbers::pi / 180;
+  if (turn != 0)
+    words +=
+        fmt::format(", turned by {:.3g} deg {}", std::abs(turn) / degree, turn < 0 ? "clockwise" : "anticlockwise");
+  return words;
+}
+
 Section result_section(const Json& result) {
   Section section{.id = "result", .title = "What it rests on", .blocks = {}, .detail = Detail::answer};
   Table table{.caption = "", .rows = {{"", ""}}, .notes = {}};
@@ -196,11 +223,8 @@ Section result_section(const Json& result) {
   row("width", with_words(shown(number(mesh, "width_over_radius"), 4),
                           std::string("radii to the wall, ") +
                               (yes(mesh, "width_was_chosen") ? "chosen by the program" : "given")));
-  row("columns",
-      with_words(shown(number(mesh, "columns"), 6),
-                 fmt::format("{} of them graded ({}), each {} times the last", shown(number(mesh, "graded_columns")),
-                             yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given",
-                             shown(number(mesh, "growth"), 3))));
+  row("columns", with_words(shown(number(mesh, "columns"), 6), columns_words(mesh)));
+  row("path", path_words(result));
   for (const auto& [what, value] : field_rows(result)) row(what.c_str(), value);
   row("extrapolated from", mesh_depths(result));
   row("elements taken out of a run", eroded_words(result));
@@ -254,8 +278,8 @@ page::Page impact_page(const page::Json& result) {
   page.title = title_of(result);
   page.summary = summary_of(result);
   for (auto section :
-       {result_section, findings_section, depth_error_section, channel_section, asked_section, runs_section, impact_history_section,
-        impact_energy_section, left_out_section, provenance_section, input_section})
+       {result_section, findings_section, depth_error_section, channel_section, asked_section, runs_section,
+        impact_history_section, impact_energy_section, left_out_section, provenance_section, input_section})
     add(page, section(result));
   return page;
 }

@@ -8,6 +8,7 @@
 
 #include "percal/page/numbers.hpp"
 #include "percal/page/sections.hpp"
+#include "percal/scene/read_scene.hpp"
 
 namespace percal {
 
@@ -42,7 +43,7 @@ std::string particle_word(const Particle& particle) {
 
 Json problem_to_json(const Problem& p) {
   return {{"particle", particle_word(p.particle)},
-          {"geometry", p.geometry == Geometry::axisymmetric ? "axisymmetric" : "plane strain"},
+          {"geometry", geometry_words()[static_cast<int>(p.geometry)]},
           {"pi4", p.pi4},
           {"density_ratio", p.density_ratio},
           {"alpha", p.alpha},

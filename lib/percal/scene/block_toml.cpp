@@ -1,0 +1,105 @@
+#include "percal/scene/block_toml.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "percal/scene/profile.hpp"
+#include "percal/scene/read_scene.hpp"
+#include "percal/scene/width.hpp"
+
+namespace percal {
+namespace {
+
+constexpr double usual_elements = 6;     // on the smaller of half width and half thickness
+constexpr double beside_a_prism = 0.15;  // radii of cubes beside its sides and beyond its ends
+constexpr double steepest_angle = std::numbers::pi * 80 / 180;
+const Range growths{.low = 1, .high = 2, .words = "a number from 1 to 2"};
+
+}  // namespace
+
+MeshScene usual_mesh(const Scene& scene) {
+  MeshScene mesh;
+  if (scene.geometry != Geometry::block) return mesh;
+  mesh.elements_per_radius = usual_elements;
+  const auto* prism = std::get_if<ProfileShape>(&scene.particle.shape);
+  if (!prism) return mesh;
+  const double half_thickness = prism->thickness / 2 / scene.particle.radius;
+  mesh.elements_per_radius = usual_elements / std::min(1.0, half_thickness);
+  mesh.fine_width = reach(scene.particle, scene.geometry) / scene.particle.radius + beside_a_prism;
+  mesh.fine_thickness = half_thickness + beside_a_prism;
+  return mesh;
+}
+
+void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh) {
+  if (scene.geometry != Geometry::block) {
+    for (const std::string key : {"fine_thickness", "fine_depth", "growth"}) {
+      if (table.has(key))
+        table.refuse(key, "this in a scene of two dimensions", "the key only beside geometry = \"block\"");
+      table.knows(key);
+    }
+    return;
+  }
+  if (table.has("graded_columns"))
+    table.refuse("graded_columns", "this in geometry \"block\"",
+                 "growth: what each cell is larger than the one before, at most");
+  const double radii = width_of(scene) / scene.particle.radius;
+  constexpr double rounding = 1 + 1e-12;
+  const Range within{.low = 0,
+                     .high = radii * rounding,
+                     .low_open = true,
+                     .words = fmt::format("a number of radii above 0 and up to the target's width, {:.4g}", radii),
+                     .in_general = "a number of radii above 0 and up to the target's width"};
+  mesh.fine_thickness = table.number("fine_thickness", within, mesh.fine_thickness);
+  mesh.fine_depth = table.optional_number("fine_depth", positive());
+  mesh.growth = table.number("growth", growths, mesh.growth);
+}
+
+void read_angle(const TomlTable& table, Geometry geometry, ParticleScene& particle) {
+  if (!table.has("angle")) return table.knows("angle");
+  if (geometry != Geometry::block)
+    table.refuse("angle", "this in a scene of two dimensions", "geometry = \"block\" for a particle that comes aslant");
+  const auto* prism = std::get_if<ProfileShape>(&particle.shape);
+  if (prism && !prism->free_rotation)
+    table.refuse("angle", "this beside rotation = \"fixed\"",
+                 "rotation = \"free\": a particle that comes aslant is not held");
+  particle.angle = angle_from(
+      table, "angle",
+      {.low = 0, .high = steepest_angle, .words = "an angle from 0 to 80 deg with its unit, such as \"30 deg\""});
+}
+
+void refuse_what_a_block_lacks(const TomlTable& root, const Scene& scene) {
+  const auto need_none = [](const TomlTable& table, bool is_there, const std::string& key, const std::string& found,
+                            const std::string& accepted) {
+    if (is_there) table.refuse(key, found + " in geometry \"block\"", accepted);
+  };
+  const TomlTable target = root.table("target");
+  const LayerScene& layer = scene.target;
+  const bool has_erosion = !std::holds_alternative<NoErosion>(layer.erosion);
+  const bool by_strain_alone = std::holds_alternative<StrainErosion>(layer.erosion) &&
+                               layer.further_erosion.is_empty() &&
+                               std::holds_alternative<NoAverage>(layer.erosion_average);
+  need_none(root, !scene.below.empty(), "below", "layers below the first", "one layer");
+  need_none(target, layer.stretch != 1, "stretch", "an initial stretch", "no initial stretch");
+  need_none(target, !std::holds_alternative<NoFibres>(layer.fibres), "fibres", "fibres", "no fibres");
+  need_none(target, !std::holds_alternative<NoRelaxation>(layer.relaxation), "relaxation", "relaxation",
+            "no relaxation");
+  need_none(target, has_erosion && !by_strain_alone, "erosion",
+            "a limit of stress or energy, or one judged over a length", "a limit of strain alone, or no erosion");
+  need_none(root.table("particle"), !std::holds_alternative<NoFriction>(scene.particle.friction), "friction",
+            "friction", "no friction");
+  if (const auto solver = root.optional_table("solver")) {
+    const SolverScene& asked = scene.solver;
+    need_none(*solver, asked.rates != 1, "rates", "2", "1");
+    need_none(*solver, asked.hourglass_form != HourglassForm::stiffness, "hourglass_form", "\"viscosity\"",
+              "\"stiffness\"");
+    need_none(*solver, asked.volumetric_law != VolumetricLaw::log_quadratic, "volumetric_law", "another law",
+              "\"log-quadratic\"");
+    need_none(*solver, asked.eroded_nodes != ErodedNodes::released, "eroded_nodes", "\"in contact\"", "\"released\"");
+  }
+  if (const auto output = root.optional_table("output"))
+    need_none(*output, scene.output.channel, "channel", "the radius of the channel", "false");
+}
+
+}  // namespace percal

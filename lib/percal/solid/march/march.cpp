@@ -1,0 +1,278 @@
+#include "percal/solid/march/march.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "percal/impact/march/layer_speeds.hpp"
+#include "percal/impact/march/recorder.hpp"
+#include "percal/impact/march/rest_watch.hpp"
+#include "percal/impact/settings.hpp"
+#include "percal/impact/target/constants.hpp"
+#include "percal/solid/march/contact_zone.hpp"
+#include "percal/solid/march/slabs.hpp"
+#include "percal/solid/target/contents.hpp"
+
+namespace percal {
+namespace {
+
+// One run: central differences in leapfrog form, velocities half a step behind displacements until synchronise(). The words and their
+// order are those of the march in impact/march/march.cpp, with one time step for all.
+template <class Real, class Body>
+class SolidMarch {
+ public:
+  SolidMarch(const Problem& problem, FrameObserver* observer, int threads)
+      : problem_(problem),
+        limits_(step_limits(problem)),
+        material_(constants_of_layers(problem).front()),
+        block_(problem, solid_kernel<Real>().lanes),
+        slabs_(block_, solid_kernel<Real>(), material_, threads),
+        body_(problem),
+        contact_(block_, solid_kernel<Real>(), body_),
+        recorder_(problem.history_samples),
+        layer_speeds_(problem),
+        observer_(observer),
+        erodes_(material_.erosion_stretch < no_erosion) {
+    impact_energy_ = body_.energy().kinetic;
+    rows_moving_ = std::min(block_.grid().rows(), 2 * front_rows);
+    result_.elements = block_.grid().elements();
+    result_.smallest_step = 1;
+  }
+
+  ImpactResult run() {
+    for (;;) {
+      find_forces();
+      if (has_ended() && !goes_on()) break;
+      choose_step();
+      if (recorder_.is_due()) recorder_.keep(history_point());
+      if (observer_ && observer_->is_due(moment())) observer_->see(frame());
+      move(0.5 * (last_step_ + step_), step_);
+      if (++result_.steps % front_interval == 0) extend_front();
+    }
+    synchronise();
+    close_the_books();
+    return at_deepest_ ? with_aftermath(std::move(*at_deepest_)) : std::move(result_);
+  }
+
+ private:
+  void find_forces() {
+    if (result_.steps % search_interval == 0) contact_.search(rows_moving_, 0.25 + 3 * search_interval * step_);
+    inverse_step_ = 0;
+    int slab = 0;
+    for (const SlabReport& report : slabs_.find_forces(rows_moving_, last_step_)) {
+      viscous_work_ += report.viscous_work;
+      inverse_step_ = std::max(inverse_step_, report.largest_inverse_step);
+      result_.smallest_jacobian = std::min(result_.smallest_jacobian, report.smallest_jacobian);
+      for (const int j : report.doomed_columns)
+        for (int k = 0; k < rows_moving_; ++k)
+          if (block_.fields().alive[block_.at(slab, j, k)] < 0) erode(slab, j, k);
+      ++slab;
+    }
+    result_.element_steps += static_cast<double>(rows_moving_) * block_.grid().columns_x() * block_.grid().columns_y();
+  }
+
+  // What leaves with an element: docs/theory/impact.md, "Energy".
+  void erode(int i, int j, int k) {
+    const ElementEnergy energy = element_energy(block_, material_, i, j, k, last_step_);
+    eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
+    ++result_.eroded;
+    if (block_.fields().alive[block_.at(i, j, k)] < -1) ++result_.distorted;
+    if (!erodes_) inside_out_ = true;
+    block_.take_out(i, j, k);
+  }
+
+  bool has_ended() {
+    if (!at_deepest_) result_.depth = std::max(result_.depth, body_.tip());
+    if (!std::isfinite(contact_.force()) || !std::isfinite(viscous_work_))
+      return end(Outcome::unstable, "a force is not finite");
+    if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
+    if (inverse_step_ * limits_.first_step * collapsed_step > 1)
+      return end(Outcome::time_up, "the time step collapsed");
+    if (std::abs(body_.speed()) > 10 * problem_.speed_factor)
+      return end(Outcome::unstable, "the particle is ten times faster than at impact");
+    if (result_.steps >= most_steps) return end(Outcome::time_up, "");
+    if (at_deepest_) return rests_or_has_left() || (time_ >= problem_.end_time && end(Outcome::time_up, ""));
+    if (body_.speed() <= 0) return end(Outcome::stopped, "");
+    if (body_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
+    if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
+    return false;
+  }
+
+  bool goes_on() {
+    const bool passes = result_.outcome == Outcome::passed_through, rests = result_.outcome == Outcome::stopped;
+    if (at_deepest_ ||
+        !((problem_.until != RunUntil::deepest && passes) || (problem_.until == RunUntil::rest && rests)))
+      return false;
+    ImpactResult here = at_one_time([this] {
+      take_stock();
+      return result_;
+    });
+    if (here.outcome == Outcome::unstable) return false;
+    at_deepest_ = std::move(here);
+    rest_watch_.begin(time_, result_.depth, problem_.whole_depth());
+    if (passes && problem_.bottom == Bottom::fixed) ending_ = Ending::passed_through;
+    return !ending_;
+  }
+
+  bool rests_or_has_left() {
+    ending_ = rest_watch_.look(place());
+    if (problem_.until == RunUntil::passage && body_.speed() <= 0) ending_ = Ending::rests;
+    return ending_.has_value();
+  }
+
+  ImpactResult with_aftermath(ImpactResult deepest) const {
+    Ending ending = ending_.value_or(Ending::time_up);
+    if (result_.outcome == Outcome::unstable) ending = Ending::unstable;
+    deepest.aftermath = rest_watch_.aftermath(ending, place(), result_);
+    deepest.steps = result_.steps;
+    deepest.element_steps = result_.element_steps;
+    deepest.helper_cpu_seconds = result_.helper_cpu_seconds;
+    deepest.history = result_.history;
+    return deepest;
+  }
+
+  bool end(Outcome outcome, const std::string& reason) {
+    result_.outcome = outcome;
+    result_.reason = reason;
+    return true;
+  }
+
+  void choose_step() {
+    step_ = limits_.time_step_factor / std::max(inverse_step_, 1 / limits_.first_step);
+    if (last_step_ > 0) step_ = std::min(step_, step_growth * last_step_);
+    step_ = std::min(step_, largest_travel / problem_.elements_per_radius / problem_.speed_factor);
+    result_.smallest_step = std::min(result_.smallest_step, step_ / (limits_.time_step_factor * limits_.first_step));
+  }
+
+  void move(double kick, double drift) {
+    slabs_.move(rows_moving_, kick, drift);
+    if (drift > 0) contact_.close(kick, drift);
+    const double tip = body_.tip();
+    body_.drift(drift);
+    time_ += drift;
+    last_step_ = drift;
+    if (drift > 0) layer_speeds_.moved(time_, drift, tip, body_.tip(), body_.speed());
+  }
+
+  // Rows join the march when the last of those that move is no longer at rest.
+  void extend_front() {
+    const int rows = block_.grid().rows();
+    if (rows_moving_ == rows) return;
+    const auto& fields = block_.fields();
+    for (int i = 0; i <= block_.slabs(); ++i)
+      for (int j = 0; j <= block_.columns_y(); ++j)
+        for (const Real* v : fields.v) {
+          const Real* last = v + block_.at(i, j, rows_moving_ - front_rows);
+          if (std::any_of(last, last + front_rows, [](Real x) { return std::abs(x) > Real(rest_speed); })) {
+            rows_moving_ = std::min(rows, rows_moving_ + front_rows);
+            return;
+          }
+        }
+  }
+
+  // Brings velocities to the time of the displacements: the second half of the last kick.
+  void synchronise() {
+    move(0.5 * last_step_, 0);
+    contact_.hold();
+  }
+
+  // What look() makes of this moment, with velocities at the time of the displacements. Afterwards all stands where it stood.
+  template <class Look>
+  auto at_one_time(const Look& look) {
+    const std::vector<Real> motion = block_.motion();
+    const Body body = body_;
+    const double last_step = last_step_;
+    synchronise();
+    auto seen = look();
+    block_.put_back(motion);
+    body_ = body;
+    last_step_ = last_step;
+    return seen;
+  }
+
+  HistoryPoint history_point() {
+    const auto shares = [this] { return energy_shares(rows_moving_); };
+    return {time_, body_.tip(), body_.speed(), contact_.force(), at_one_time(shares)};
+  }
+
+  Moment moment() const { return {time_, body_.tip(), result_.steps}; }
+  ParticlePlace place() const { return {time_, body_.tip(), body_.top(), body_.speed()}; }
+  Frame frame_as_is(bool is_last) const {
+    return {moment(), is_last, cut_piece(block_, material_), body_.piece(problem_)};
+  }
+  Frame frame() {
+    return at_one_time([this] { return frame_as_is(false); });
+  }
+
+  EnergyLedger energy_shares(int rows) const {
+    EnergyLedger energy = stored_energy(block_, material_, rows);
+    energy.particle = body_.energy().kinetic;
+    energy.viscosity = viscous_work_;
+    energy.eroded = eroded_energy_;
+    energy.collisions = contact_.collisions();
+    for (const auto& [key, share, words] : energy_terms) energy.*share /= impact_energy_;
+    return energy;
+  }
+
+  void take_stock() {
+    result_.energy = energy_shares(block_.grid().rows());
+    result_.end_time = time_;
+    result_.end_speed = body_.speed();
+    result_.sideways = body_.sideways();
+    result_.turn = body_.turn();
+    result_.target_momentum = momentum(block_) * problem_.speed_factor * problem_.speed_factor / (2 * impact_energy_);
+    result_.speeds_behind = layer_speeds_.at_the_end(time_, body_.speed());
+    const bool closes = std::abs(result_.energy.closure()) <= tolerated_energy_error;  // false for NaN
+    if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
+  }
+
+  void close_the_books() {
+    take_stock();
+    recorder_.finish({time_, body_.tip(), body_.speed(), contact_.force(), result_.energy});
+    if (observer_) observer_->see(frame_as_is(true));
+    result_.history = recorder_.take();
+    result_.helper_cpu_seconds = slabs_.helper_cpu_seconds();
+  }
+
+  const Problem& problem_;
+  const StepLimits limits_;
+  const MaterialConstants material_;
+  SolidBlock<Real> block_;
+  Slabs<Real> slabs_;
+  Body body_;
+  SpaceContact<Real, Body> contact_;
+  Recorder recorder_;
+  LayerSpeeds layer_speeds_;
+  RestWatch rest_watch_;
+  std::optional<ImpactResult> at_deepest_;  // where the run goes on past it
+  std::optional<Ending> ending_;            // then
+  FrameObserver* const observer_;           // null where nobody looks on
+  const bool erodes_;
+  ImpactResult result_;
+  double time_ = 0, step_ = 0, last_step_ = 0, inverse_step_ = 0;
+  double impact_energy_ = 0, viscous_work_ = 0, eroded_energy_ = 0;
+  int rows_moving_ = 0;
+  bool inside_out_ = false;  // an element that does not erode
+};
+
+template <class Real>
+ImpactResult run(const Problem& problem, FrameObserver* observer, int threads) {
+  if (std::holds_alternative<RigidPolygon>(problem.particle))
+    return SolidMarch<Real, BodyRun<PrismShape>>(problem, observer, threads).run();
+  return SolidMarch<Real, BodyRun<SphereShape>>(problem, observer, threads).run();
+}
+
+ImpactResult run(const Problem& problem, FrameObserver* observer, int threads) {
+  return problem.arithmetic == Arithmetic::single_precision ? run<float>(problem, observer, threads)
+                                                            : run<double>(problem, observer, threads);
+}
+
+}  // namespace
+
+ImpactResult run_solid(const Problem& problem, int threads) { return run(problem, nullptr, threads); }
+
+ImpactResult run_solid(const Problem& problem, FrameObserver& observer, int threads) {
+  return run(problem, &observer, threads);
+}
+
+}  // namespace percal

@@ -1,0 +1,198 @@
+#include "percal/solid/target/contents.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "percal/solid/kernel/kernel.hpp"
+
+namespace percal {
+namespace {
+
+using scalar::hex::Corners8;
+using scalar::hex::Deformation;
+using scalar::hex::Modes;
+using scalar::hex::Tensor;
+
+// Modes of each component of a field of nodes.
+template <class Real>
+std::array<Modes<double>, 3> modes_at(const SolidBlock<Real>& block, const std::array<const Real*, 3>& field, int i,
+                                      int j, int k) {
+  const auto nodes = block.nodes_of(i, j);
+  std::array<Modes<double>, 3> modes;
+  for (int component = 0; component < 3; ++component) {
+    Corners8<double> corners;
+    for (int c = 0; c < 4; ++c) {
+      corners.upper[c] = field[component][nodes[c] + k];
+      corners.lower[c] = field[component][nodes[c] + k + 1];
+    }
+    modes[component] = scalar::hex::modes_of(corners);
+  }
+  return modes;
+}
+
+// Inverse sides and volume of an element.
+struct Brick {
+  double per_x, per_y, per_z, volume;
+};
+template <class Real>
+Brick brick_at(const SolidBlock<Real>& block, int i, int j, int k) {
+  const auto [width_x, width_y] = block.shape(i, j);
+  const double height = block.grid().z[k + 1] - block.grid().z[k];
+  return {1 / width_x, 1 / width_y, 1 / height, width_x * width_y * height};
+}
+
+Tensor<double> gradient_of(const std::array<Modes<double>, 3>& m, const Brick& brick) {
+  const double x = brick.per_x / 4, y = brick.per_y / 4, z = brick.per_z / 4;
+  return {m[0].x * x + 1, m[0].y * y, m[0].z * z, m[1].x * x,    m[1].y * y + 1,
+          m[1].z * z,     m[2].x * x, m[2].y * y, m[2].z * z + 1};
+}
+
+scalar::hex::Symmetric<double> kirchhoff(const MaterialConstants& material, const Deformation<double>& d) {
+  const auto g = scalar::hex::powers_of(d.spectrum, d.mean, material.alpha);
+  auto tau =
+      scalar::hex::isochoric_kirchhoff(d.B, d.B2, d.trace_of_square, d.spectrum, g, 2 * material.mu / material.alpha);
+  const double pressure = scalar::kirchhoff_pressure(PressureLaw::log_quadratic, d.jacobian, material.bulk);
+  for (double* normal : {&tau.xx, &tau.yy, &tau.zz}) *normal += pressure;
+  return tau;
+}
+
+double energy_of(const MaterialConstants& material, const Deformation<double>& d) {
+  const auto g = scalar::hex::powers_of(d.spectrum, d.mean, material.alpha);
+  return 2 * material.mu / (material.alpha * material.alpha) * (g.sum() - 3) +
+         scalar::volumetric_energy(PressureLaw::log_quadratic, d.jacobian, material.bulk);
+}
+
+}  // namespace
+
+template <class Real>
+Tensor<double> element_gradient(const SolidBlock<Real>& block, int i, int j, int k) {
+  return gradient_of(modes_at(block, block.fields().u, i, j, k), brick_at(block, i, j, k));
+}
+
+Tensor<double> first_piola(const MaterialConstants& material, const Tensor<double>& F) {
+  const auto d = scalar::hex::deformation_of(F);
+  return scalar::hex::first_piola(kirchhoff(material, d), d);
+}
+
+double energy_density(const MaterialConstants& material, const Tensor<double>& F) {
+  return energy_of(material, scalar::hex::deformation_of(F));
+}
+
+template <class Real>
+ElementEnergy element_energy(const SolidBlock<Real>& block, const MaterialConstants& material, int i, int j, int k,
+                             double last_step) {
+  const Brick brick = brick_at(block, i, j, k);
+  const auto u = modes_at(block, block.fields().u, i, j, k), v = modes_at(block, block.fields().v, i, j, k);
+  const auto F = gradient_of(u, brick);
+  const auto P = first_piola(material, F);
+  const auto spring =
+      scalar::hex::hourglass_stiffness(material.hourglass * material.mu * brick.volume, brick.per_x * brick.per_x,
+                                       brick.per_y * brick.per_y, brick.per_z * brick.per_z);
+  const auto sprung = [&](const Modes<double>& a, const Modes<double>& b) {
+    return spring.xy * a.xy * b.xy + spring.xz * a.xz * b.xz + spring.yz * a.yz * b.yz + spring.xyz * a.xyz * b.xyz;
+  };
+  const auto along = [&](const Modes<double>& m, double x, double y, double z) {
+    return (x * m.x * brick.per_x + y * m.y * brick.per_y + z * m.z * brick.per_z) / 4;
+  };
+  ElementEnergy energy{.elastic = brick.volume * energy_density(material, F)};
+  double power =
+      -brick.volume * (along(v[0], P.xx, P.xy, P.xz) + along(v[1], P.yx, P.yy, P.yz) + along(v[2], P.zx, P.zy, P.zz));
+  for (int component = 0; component < 3; ++component) {
+    energy.hourglass += 0.5 * sprung(u[component], u[component]);
+    power -= sprung(u[component], v[component]);
+  }
+  energy.last_work = 0.5 * last_step * power;
+  return energy;
+}
+
+template <class Real>
+EnergyLedger stored_energy(const SolidBlock<Real>& block, const MaterialConstants& material, int rows) {
+  EnergyLedger ledger;
+  const auto& fields = block.fields();
+  const auto& kernel = solid_kernel<Real>();
+  for (int i = 0; i <= block.slabs(); ++i)
+    for (int j = 0; j <= block.columns_y(); ++j) {
+      const long first = block.column(i, j);
+      double live = 0, freed = 0;
+      for (int k = 0; k <= rows; ++k) {
+        double twice = 0;
+        for (const Real* v : fields.v) twice += block.mass(i, j, k) * v[first + k] * v[first + k];
+        (block.has_live_element(first + k) ? live : freed) += 0.5 * twice;
+      }
+      ledger.live_kinetic += live;
+      ledger.freed_mass += freed;
+      if (i == block.slabs() || j == block.columns_y()) continue;
+      const StoredEnergy stored =
+          kernel.stored_energy(fields, block.nodes_of(i, j), rows, block.shape(i, j), block.heights(), material);
+      ledger.elastic += stored.elastic;
+      ledger.hourglass += stored.hourglass;
+    }
+  return ledger;
+}
+
+template <class Real>
+double momentum(const SolidBlock<Real>& block) {
+  double sum = 0;
+  for (int i = 0; i <= block.slabs(); ++i)
+    for (int j = 0; j <= block.columns_y(); ++j)
+      for (int k = 0; k <= block.grid().rows(); ++k)
+        sum += block.mass(i, j, k) * block.fields().v[2][block.at(i, j, k)];
+  return sum;
+}
+
+template <class Real>
+TargetPiece cut_piece(const SolidBlock<Real>& block, const MaterialConstants& material) {
+  TargetPiece piece;
+  const auto& grid = block.grid();
+  const auto& fields = block.fields();
+  const int rows = grid.rows();
+  for (int i = 0; i <= block.slabs(); ++i)
+    for (int k = 0; k <= rows; ++k) {
+      const long n = block.at(i, 0, k);
+      const Point u{static_cast<double>(fields.u[0][n]), -static_cast<double>(fields.u[2][n])};
+      piece.position.push_back({grid.x[i] + u[0], u[1] - grid.z[k]});
+      piece.displacement.push_back(u);
+      piece.velocity.push_back({static_cast<double>(fields.v[0][n]), -static_cast<double>(fields.v[2][n])});
+    }
+  for (int i = 0; i < block.slabs(); ++i)
+    for (int k = 0; k < rows; ++k) {
+      const int upper = i * (rows + 1) + k, beside = upper + rows + 1;
+      for (const int corner : {upper + 1, beside + 1, beside, upper}) piece.corners.push_back(corner);
+      piece.ends.push_back(static_cast<int>(piece.corners.size()));
+      const bool eroded = !(fields.alive[block.at(i, 0, k)] > 0);
+      piece.eroded.push_back(eroded ? 1 : 0);
+      piece.layer.push_back(0);
+      piece.volume.push_back((grid.x[i + 1] - grid.x[i]) * (grid.z[k + 1] - grid.z[k]));
+      CellState state;
+      if (!eroded) {
+        const auto d = scalar::hex::deformation_of(element_gradient(block, i, 0, k));
+        const auto tau = kirchhoff(material, d);
+        Eigen::Matrix3d b;
+        b << d.B.xx, d.B.xy, d.B.xz, d.B.xy, d.B.yy, d.B.yz, d.B.xz, d.B.yz, d.B.zz;
+        const Eigen::Vector3d squares =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(b).eigenvalues().array() + d.mean;
+        for (int p = 0; p < 3; ++p) state.stretches[p] = std::sqrt(std::max(0.0, squares[2 - p]));
+        // x, up, out of the plane, and the shear of the first two: z is downwards.
+        state.stress = {tau.xx * d.inverse_jacobian, tau.zz * d.inverse_jacobian, tau.yy * d.inverse_jacobian,
+                        -tau.xz * d.inverse_jacobian};
+        state.energy_density = energy_of(material, d);
+      }
+      piece.states.push_back(state);
+    }
+  return piece;
+}
+
+template Tensor<double> element_gradient(const SolidBlock<float>&, int, int, int);
+template Tensor<double> element_gradient(const SolidBlock<double>&, int, int, int);
+template ElementEnergy element_energy(const SolidBlock<float>&, const MaterialConstants&, int, int, int, double);
+template ElementEnergy element_energy(const SolidBlock<double>&, const MaterialConstants&, int, int, int, double);
+template EnergyLedger stored_energy(const SolidBlock<float>&, const MaterialConstants&, int);
+template EnergyLedger stored_energy(const SolidBlock<double>&, const MaterialConstants&, int);
+template double momentum(const SolidBlock<float>&);
+template double momentum(const SolidBlock<double>&);
+template TargetPiece cut_piece(const SolidBlock<float>&, const MaterialConstants&);
+template TargetPiece cut_piece(const SolidBlock<double>&, const MaterialConstants&);
+
+}  // namespace percal

@@ -1,0 +1,38 @@
+// What a block in three dimensions holds as it stands, in double whatever its fields are kept in. Of the modelled part: a quarter or a
+// half of the whole.
+#pragma once
+#include "percal/impact/kernel/element.hpp"
+#include "percal/impact/result.hpp"
+#include "percal/impact/target/contents.hpp"
+#include "percal/solid/kernel/hexahedron.hpp"
+#include "percal/solid/target/block.hpp"
+
+namespace percal {
+
+// Deformation gradient at the centre of an element.
+template <class Real>
+scalar::hex::Tensor<double> element_gradient(const SolidBlock<Real>&, int i, int j, int k);
+
+// First Piola stress and stored energy density of the plain solid.
+scalar::hex::Tensor<double> first_piola(const MaterialConstants&, const scalar::hex::Tensor<double>& F);
+double energy_density(const MaterialConstants&, const scalar::hex::Tensor<double>& F);
+
+// As of a block of quads. last_step is the step that led here.
+template <class Real>
+ElementEnergy element_energy(const SolidBlock<Real>&, const MaterialConstants&, int i, int j, int k, double last_step);
+
+// What the upper `rows` of elements and their nodes hold now; velocities must stand at the same time as displacements. The rest must
+// be at rest. Not yet divided by the impact energy.
+template <class Real>
+EnergyLedger stored_energy(const SolidBlock<Real>&, const MaterialConstants&, int rows);
+
+// Downwards.
+template <class Real>
+double momentum(const SolidBlock<Real>&);
+
+// The cut in the plane y = 0, as a piece of quads: x to the right, y upwards, the undeformed surface at y = 0. Where x = 0 is a plane of
+// symmetry, its right side. Volumes are areas of the cut.
+template <class Real>
+TargetPiece cut_piece(const SolidBlock<Real>&, const MaterialConstants&);
+
+}  // namespace percal

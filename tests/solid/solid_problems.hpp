@@ -1,0 +1,34 @@
+// Problems of a block in three dimensions that tests start from.
+#pragma once
+#include "percal/problem/problem.hpp"
+
+namespace percal {
+
+// Gold at 651 m/s into skin, as impact/setting_s.hpp, on four elements; a quarter of it.
+inline Problem block_setting_s(double elements_per_radius = 4) {
+  Problem p;
+  p.geometry = Geometry::block;
+  p.pi4 = 6.6474;
+  p.density_ratio = 16.8;
+  p.alpha = 8.5;
+  p.erosion = StrainErosion{0.7};
+  p.depth = 45;
+  p.bottom = Bottom::fixed;
+  p.elements_per_radius = elements_per_radius;
+  p.graded_columns = 0;
+  p.hourglass = 2;
+  p.rates = 1;
+  p.block.fine_depth = p.depth;
+  return p;
+}
+
+// Nothing erodes: the sphere makes a dent of some 2.4 radii.
+inline Problem block_dent(double elements_per_radius = 4) {
+  Problem p = block_setting_s(elements_per_radius);
+  p.pi4 = 1;
+  p.erosion = NoErosion{};
+  p.depth = p.block.fine_depth = 15;
+  return p;
+}
+
+}  // namespace percal
