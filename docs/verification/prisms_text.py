@@ -2,6 +2,8 @@
 
 HEAD = """# Prisms in plane strain
 
+Prisms with the thickness that they have are in [three_dimensions.md](three_dimensions.md), which is the page to hold against measurements. Here every depth hangs on the wall; plane strain is for plates.
+
 Written by `docs/verification/make_prisms.py` from `percal impact` ({machine}, one thread a run), from `data/guha2009/square.toml` and `rhombus.toml`: the steel prisms of
 Guha 2009, chapter 5, into 12 wt% gelatin of 113 kPa (as printed, alpha 8.5). A half model is computed; for the square it has the bits of the whole. Depths in cm. ± is the
 standard error of three runs over the phase of the mesh; a figure without it is one run, whose scatter is 1.7 times that error. W is the distance to the wall, which is fixed; h the side of the

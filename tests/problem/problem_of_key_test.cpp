@@ -40,6 +40,7 @@ class RandomProblems {
     p.further_erosion = further();
     p.stretch = stretch();
     p.fibres = fibres();
+    if (choice(3) == 0) p.stretch_across = stretch();
     if (choice(3) == 0) p.friction = CoulombFriction{number_of_any_size()};
     if (choice(3) == 0) p.relaxation = PronySeries{{{0.3, number_of_any_size()}, {0.1, number_of_any_size()}}};
     for (int layers = choice(3); layers > 0; --layers)
@@ -83,6 +84,7 @@ class RandomProblems {
   double stretch() { return choice(2) ? 1 : 1.05; }
   Fibres fibres() {
     if (choice(2)) return NoFibres{};
+    if (choice(2)) return FibreFamilies{number_of_any_size(), number_of_any_size(), 0.1, 0.5};
     return PlanarFibres{number_of_any_size(), number_of_any_size(), 0.4};
   }
   Erosion erosion() {

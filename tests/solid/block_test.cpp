@@ -6,7 +6,6 @@
 #include <numbers>
 #include <random>
 
-#include "percal/impact/target/constants.hpp"
 #include "percal/solid/march/slabs.hpp"
 #include "percal/solid/target/contents.hpp"
 #include "solid/solid_problems.hpp"
@@ -27,9 +26,11 @@ Problem small_block() {
 
 struct Loaded {
   explicit Loaded(const Problem& problem, int threads = 1)
-      : material(constants_of_layers(problem).front()),
-        block(problem, solid_kernel<double>().lanes),
-        slabs(block, solid_kernel<double>(), material, threads) {}
+      : block(problem, solid_kernel<double>().lanes),
+        solid(solid_of_block(problem, block.layers())),
+        slabs(block, solid_kernel<double>(), solid, threads) {
+    take_initial_state(block, solid);
+  }
 
   void displace(const std::function<std::array<double, 3>(double, double, double)>& u) {
     const auto& g = block.grid();
@@ -49,12 +50,12 @@ struct Loaded {
         for (int k = 1; k < g.rows(); ++k) work(i, j, k);
   }
   double stored() const {
-    const EnergyLedger energy = stored_energy(block, material, block.grid().rows());
+    const EnergyLedger energy = stored_energy(block, solid, block.grid().rows());
     return energy.elastic + energy.hourglass;
   }
 
-  MaterialConstants material;
   SolidBlock<double> block;
+  TargetSolid solid;
   Slabs<double> slabs;
 };
 
@@ -64,7 +65,7 @@ TEST(SolidBlock, AHomogeneousStrainHasNoForcesOnInnerNodes) {
     return std::array{0.2 * x + 0.1 * y - 0.05 * z, 0.07 * x - 0.1 * y + 0.02 * z, -0.03 * x + 0.06 * y - 0.08 * z};
   });
   loaded.find_forces();
-  const auto P = first_piola(loaded.material, element_gradient(loaded.block, 0, 0, 0));
+  const auto P = first_piola(loaded.solid.layers[0].material, element_gradient(loaded.block, 0, 0, 0));
   ASSERT_GT(std::abs(P.xx), 0.05);
   loaded.each_inner_node([&](int i, int j, int k) {
     for (const double* f : std::as_const(loaded.block).fields().f) EXPECT_NEAR(f[loaded.block.at(i, j, k)], 0, 1e-12);
@@ -107,6 +108,36 @@ TEST(SolidBlock, ForcesHaveTheSameBitsForAnyNumberOfThreads) {
     if (first.empty()) first = forces;
     EXPECT_EQ(forces, first) << threads << " threads";
   }
+}
+
+// Two layers, stretched apart and with fibres: no node that may move is pushed.
+TEST(SolidBlock, AStretchedTargetIsInEquilibrium) {
+  Problem p = small_block();
+  p.bottom = Bottom::free;
+  p.stretch = 1.2;
+  p.stretch_across = 1.05;
+  p.fibres = FibreFamilies{.k1 = 0.3, .k2 = 1, .kappa = 0.1, .angle = 0.6};
+  p.depth = 2;
+  p.below = {
+      {.depth = 3, .density = 1.2, .mu = 2, .alpha = -3, .bulk_ratio = 50, .erosion_limit = INFINITY, .stretch = 0.9}};
+  Loaded loaded(p);
+  ASSERT_EQ(loaded.solid.layers.size(), 2u);
+  loaded.find_forces();
+  const auto& fields = std::as_const(loaded.block).fields();
+  double tension = 0;
+  for (int i = 0; i <= loaded.block.slabs(); ++i)
+    for (int j = 0; j <= loaded.block.columns_y(); ++j)
+      for (int k = 0; k <= loaded.block.grid().rows(); ++k) {
+        const long n = loaded.block.at(i, j, k);
+        const auto held = loaded.block.held(i, j);
+        for (int d = 0; d < 3; ++d) {
+          if (fields.inverse_mass[n] > 0 && !held[d])
+            EXPECT_NEAR(fields.f[d][n], 0, 1e-12) << i << " " << j << " " << k;
+          tension = std::max(tension, std::abs(fields.f[d][n]));
+        }
+      }
+  EXPECT_GT(tension, 0.01);  // on the walls
+  EXPECT_NEAR(loaded.stored(), 0, 1e-10);
 }
 
 // Of one-point bricks and lumped masses omega = (2 c/h) sin(k h/2), exactly.     docs/theory/solid.md (11)

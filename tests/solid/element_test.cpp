@@ -10,8 +10,9 @@
 #include <functional>
 #include <random>
 
+#include "percal/impact/kernel/fibres.hpp"
 #include "percal/impact/kernel/kernel.hpp"
-#include "percal/solid/target/contents.hpp"
+#include "percal/solid/target/solid_of.hpp"
 
 namespace percal {
 namespace {
@@ -143,6 +144,54 @@ TEST(Brick, StressIsTheDerivativeOfItsEnergy) {
           EXPECT_NEAR(P(i, j), slope, 1e-6 * std::max(1.0, P.cwiseAbs().maxCoeff())) << "alpha " << alpha;
         }
     }
+}
+
+// Where all fibres are taut or slack: the switch between is a kink of the modulus.
+TEST(Brick, StressOfFibresIsTheDerivativeOfTheirEnergy) {
+  States random(7);
+  for (const FibreConstants& fibres :
+       {FibreConstants{2, 0.8, 0.45}, FibreConstants{2, 0.8, 0, true, 0.7}, FibreConstants{3, 2, 0.2, true, 0.3}})
+    for (int k = 0; k < 100; ++k) {
+      MaterialConstants m = solid_of(3);
+      m.fibres = fibres;
+      const Matrix3d F = random.of({random.between(0.8, 1.4), random.between(0.8, 1.4), random.between(0.8, 1.4)});
+      const Matrix3d P = matrix(first_piola(m, tensor(F)));
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          constexpr double step = 1e-5;
+          Matrix3d above = F, below = F;
+          above(i, j) += step;
+          below(i, j) -= step;
+          const double slope = (energy_density(m, tensor(above)) - energy_density(m, tensor(below))) / (2 * step);
+          EXPECT_NEAR(P(i, j), slope, 1e-4 * std::max(1.0, P.cwiseAbs().maxCoeff()));
+        }
+    }
+}
+
+// Along a family without dispersion: W = 2 k1/(2 k2) (exp(k2 (lambda^2 - 1)^2) - 1) of two families on one line, none across.
+TEST(Brick, FibresOfOneDirectionBearAlongItAlone) {
+  MaterialConstants m = solid_of(2), bare = m;
+  m.fibres = {0.7, 1.3, 0, true, 0};
+  const auto stretched = [](double x, double y, double z) { return hex::Tensor<double>{x, 0, 0, 0, y, 0, 0, 0, z}; };
+  const double E = 1.2 * 1.2 - 1, more = 0.7 / 1.3 * (std::exp(1.3 * E * E) - 1);
+  const double across = 1 / std::sqrt(1.2);
+  EXPECT_NEAR(energy_density(m, stretched(1.2, across, across)) - energy_density(bare, stretched(1.2, across, across)),
+              more, 1e-12);
+  EXPECT_EQ(energy_density(m, stretched(across, 1.2, across)), energy_density(bare, stretched(across, 1.2, across)));
+}
+
+// All directions alike, as the axisymmetric solver has them.
+TEST(Brick, PlanarFibresAreThoseOfTheAxisymmetricSolver) {
+  MaterialConstants m = solid_of(3), bare = m;
+  m.fibres = {0.7, 1.3, 0.45};
+  const scalar::Gradient<double> F{1.15, 0.1, -0.05, 0.8, 1.1};
+  const hex::Tensor<double> same{1.15, 0, 0.1, 0, 1.1, 0, -0.05, 0, 0.8};
+  const auto expected = scalar::fibre_response(F, scalar::stretches(F), 0.7, 1.3, 0.45);
+  EXPECT_NEAR(energy_density(m, same) - energy_density(bare, same), expected.energy, 1e-12);
+  const auto P = first_piola(m, same), without = first_piola(bare, same);
+  EXPECT_NEAR(P.xx - without.xx, expected.stress.rr, 1e-12);
+  EXPECT_NEAR(P.zx - without.zx, expected.stress.zr, 1e-12);
+  EXPECT_NEAR(P.yy - without.yy, expected.stress.hoop, 1e-12);
 }
 
 TEST(Brick, ARigidRotationMakesNoStress) {

@@ -102,6 +102,82 @@ TEST(SolidMarch, TheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+TEST(SolidMarch, ASphereThatGrazesASoftTargetRicochets) {
+  Problem p = block_dent(3);
+  p.whole = true;
+  p.pi4 = 2;
+  p.alpha = 2;
+  p.depth = p.block.fine_depth = 5;
+  p.block.angle = 75 * std::numbers::pi / 180;
+  p.until = RunUntil::rest;
+  const ImpactResult result = run_solid(p);
+  ASSERT_TRUE(result.aftermath);
+  EXPECT_EQ(result.aftermath->ending, Ending::ricochets);
+  EXPECT_LT(result.aftermath->speed, 0);
+  EXPECT_GT(result.sideways, result.depth);
+}
+
+// Two layers of the same solid are one.
+TEST(SolidMarch, ALayerThatIsNoneChangesNothing) {
+  Problem one = block_setting_s(), two = one;
+  one.end_time = two.end_time = 10;
+  two.depth = 5;
+  two.below = {{.depth = 40,
+                .density = 1,
+                .mu = one.mu(),
+                .alpha = one.alpha,
+                .bulk_ratio = one.bulk_ratio,
+                .erosion_limit = 0.7}};
+  const ImpactResult whole = run_solid(one), layered = run_solid(two);
+  EXPECT_NEAR(layered.depth, whole.depth, 0.01 * whole.depth);  // a step's rounding is a run of another phase
+  EXPECT_LT(std::abs(layered.energy.closure()), 0.01);
+  EXPECT_EQ(layered.speeds_behind.size(), 1u);
+}
+
+TEST(SolidMarch, ASofterLayerBelowLetsTheParticleGoDeeper) {
+  Problem p = block_setting_s();
+  p.depth = 4;
+  p.below = {{.depth = 41, .density = 1, .mu = p.mu() / 3, .alpha = p.alpha, .bulk_ratio = 150, .erosion_limit = 0.7}};
+  const ImpactResult soft = run_solid(p);
+  p.below[0].mu = p.mu() * 3, p.below[0].bulk_ratio = 50;
+  const ImpactResult stiff = run_solid(p);
+  EXPECT_GT(soft.depth, 1.3 * stiff.depth);
+  for (const ImpactResult& result : {soft, stiff}) EXPECT_LT(std::abs(result.energy.closure()), 0.01);
+}
+
+TEST(SolidMarch, StretchedFibresMakeADentShallower) {
+  Problem p = block_dent();
+  p.alpha = 2;
+  const ImpactResult bare = run_solid(p);
+  p.fibres = FibreFamilies{.k1 = 2, .k2 = 1, .kappa = 0, .angle = std::numbers::pi / 4};
+  const ImpactResult woven = run_solid(p);
+  p.stretch = 1.1;
+  const ImpactResult stretched = run_solid(p);
+  EXPECT_LT(woven.depth, 0.95 * bare.depth);
+  EXPECT_LT(stretched.depth, woven.depth);
+  for (const ImpactResult& result : {woven, stretched}) {
+    EXPECT_EQ(result.outcome, Outcome::stopped);
+    EXPECT_LT(std::abs(result.energy.closure()), 0.01);
+  }
+}
+
+TEST(SolidMarch, ErosionByEnergyAndByStressStopsTheParticleSomewhere) {
+  const double deep = run_solid(block_setting_s()).depth;
+  Problem by_energy = block_setting_s(), by_stress = by_energy, several = by_energy;
+  by_energy.erosion = EnergyErosion{0.5};
+  by_stress.erosion = StressErosion{1.5};
+  several.further_erosion = {.stress = 1.5, .energy = 0.5};
+  for (const Problem& p : {by_energy, by_stress, several}) {
+    const ImpactResult result = run_solid(p);
+    EXPECT_EQ(result.outcome, Outcome::stopped);
+    EXPECT_GT(result.eroded, 50);
+    EXPECT_LT(std::abs(result.energy.closure()), 0.01);
+  }
+  const ImpactResult all = run_solid(several);
+  EXPECT_EQ(all.eroded_by.strain + all.eroded_by.stress + all.eroded_by.energy, all.eroded - all.distorted);
+  EXPECT_GT(all.depth, 0.9 * deep);  // a further limit only makes holes
+}
+
 // A cube on its side, 2 x 2 x 2 radii: what a prism of its own thickness weighs and where it stops.
 Problem cube() {
   Problem p = block_dent(5);

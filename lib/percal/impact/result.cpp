@@ -11,8 +11,9 @@ constexpr std::array<std::pair<Outcome, const char*>, 4> outcomes{{{Outcome::sto
                                                                    {Outcome::passed_through, "passed through"},
                                                                    {Outcome::time_up, "time up"},
                                                                    {Outcome::unstable, "unstable"}}};
-constexpr std::array<std::pair<Ending, const char*>, 5> endings{{{Ending::rests, "rests"},
+constexpr std::array<std::pair<Ending, const char*>, 6> endings{{{Ending::rests, "rests"},
                                                                  {Ending::left_upwards, "left upwards"},
+                                                                 {Ending::ricochets, "ricochets"},
                                                                  {Ending::passed_through, "passed through"},
                                                                  {Ending::time_up, "time up"},
                                                                  {Ending::unstable, "unstable"}}};

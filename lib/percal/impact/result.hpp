@@ -72,17 +72,19 @@ struct HistoryPoint {
 // must look at. docs/theory/field_measures.md.
 //   rests           the tip moves no more, but for `half_width`
 //   left_upwards    the particle flies back out, touched by nothing
+//   ricochets       the same of one that came aslant
 //   passed_through  the same below the target; where its bottom is held, the tip has reached it
 //   time_up         the end time came first, or the step collapsed
 //   unstable        as Outcome::unstable, after the deepest point
-enum class Ending { rests, left_upwards, passed_through, time_up, unstable };
+enum class Ending { rests, left_upwards, ricochets, passed_through, time_up, unstable };
 std::string word(Ending ending);
 Ending ending_from(const std::string& word);  // throws std::invalid_argument
 
 struct Aftermath {
   Ending ending = Ending::unstable;
-  std::string reason;     // as ImpactResult::reason
-  double depth = 0;       // of the tip, radii: the middle of where it was in the last half of the run's time; where it left, at the end
+  std::string reason;  // as ImpactResult::reason
+  double depth =
+      0;  // of the tip, radii: the middle of where it was in the last half of the run's time; where it left, at the end
   double half_width = 0;  // radii: half of that swing; 0 where it left
   double time = 0;        // radii over impact speed
   double speed = 0;       // downwards, over the scene's impact speed

@@ -46,14 +46,15 @@ std::optional<FinalState> final_state(const Runs& runs, const Scales& scales) {
   final.energy = mean_energy(energies);
   if (final.mixed) return final;
   if (final.ending == Ending::rests) {
-    final.depth =
-        mean_where_all_have(runs, scales.radius, [](const ImpactResult& r) { return std::optional(r.aftermath->depth); });
+    final.depth = mean_where_all_have(runs, scales.radius,
+                                      [](const ImpactResult& r) { return std::optional(r.aftermath->depth); });
     double widest = 0;
     for (const Evaluation& run : runs) widest = std::max(widest, run.result.aftermath->half_width);
     final.half_width = widest * scales.radius;
-  } else if (final.ending == Ending::left_upwards || final.ending == Ending::passed_through) {
-    final.speed =
-        mean_where_all_have(runs, scales.speed, [](const ImpactResult& r) { return std::optional(r.aftermath->speed); });
+  } else if (final.ending == Ending::left_upwards || final.ending == Ending::ricochets ||
+             final.ending == Ending::passed_through) {
+    final.speed = mean_where_all_have(runs, scales.speed,
+                                      [](const ImpactResult& r) { return std::optional(r.aftermath->speed); });
   }
   return final;
 }

@@ -4,6 +4,7 @@
 // radius, impact speed and the first layer's density are 1.
 #pragma once
 #include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace percal {
 // within a length too: NoAverage, AverageWithin of scene/scene.hpp, in radii. Further limits of other kinds, or none: FurtherErosion
 // of scene/scene.hpp, over rho_t v^2.
 
-// A layer has fibres, or none: NoFibres, PlanarFibres of scene/scene.hpp, k1 over rho_t v^2.
+// A layer has fibres, or none: NoFibres, PlanarFibres, FibreFamilies of scene/scene.hpp, k1 over rho_t v^2.
 
 // The particle rubs along the target, or it does not: NoFriction, CoulombFriction of scene/scene.hpp.
 
@@ -67,7 +68,8 @@ struct LowerLayer {
   double bulk_ratio = least_bulk_ratio;  // K / mu
   double erosion_limit = 0;              // as the first layer's limit is meant; infinite: none of that kind
   FurtherErosion further_erosion = {};
-  double stretch = 1;  // of its plane before the impact; 1: none
+  double stretch = 1;                         // of its plane before the impact; 1: none
+  std::optional<double> stretch_across = {};  // of a block, along y; left out: as stretch
   Fibres fibres = NoFibres{};
   bool operator==(const LowerLayer&) const = default;
 };

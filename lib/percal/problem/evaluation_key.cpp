@@ -71,7 +71,22 @@ std::string stretch_text(const Problem& p) {
   return stretched ? " stretch=[" + text + "]" : "";
 }
 
+// The same across, where one has a stretch of its own there.
+std::string across_text(const Problem& p) {
+  const auto one = [](const std::optional<double>& across) { return across ? fmt::format("{:.12g}", *across) : "-"; };
+  std::string text = one(p.stretch_across);
+  bool some = p.stretch_across.has_value();
+  for (const LowerLayer& layer : p.below) {
+    text += "," + one(layer.stretch_across);
+    some |= layer.stretch_across.has_value();
+  }
+  return some ? " across=[" + text + "]" : "";
+}
+
 std::string fibre_text(const Fibres& fibres) {
+  if (const auto* families = std::get_if<FibreFamilies>(&fibres))
+    return fmt::format("({:.12g},{:.12g},{:.12g},{:.12g})", families->k1, families->k2, families->kappa,
+                       families->angle);
   const auto* planar = std::get_if<PlanarFibres>(&fibres);
   return planar ? fmt::format("({:.12g},{:.12g},{:.12g})", planar->k1, planar->k2, planar->kappa) : "()";
 }
@@ -137,8 +152,8 @@ std::string evaluation_key(const Problem& p, const std::string& instruction_leve
              p.bulk_ratio, p.depth, p.width, p.bottom == Bottom::free ? "free" : "fixed",
              std::visit(ErosionText{}, p.erosion), p.elements_per_radius, p.fine_width, p.graded_columns, p.hourglass,
              p.linear_viscosity, p.quadratic_viscosity, p.time_step_factor, p.end_time, p.speed_factor) +
-         choices_text(p) + below_text(p.below) + further_erosion_text(p) + stretch_text(p) + fibres_text(p) +
-         relaxation_text(p.relaxation);
+         choices_text(p) + below_text(p.below) + further_erosion_text(p) + stretch_text(p) + across_text(p) +
+         fibres_text(p) + relaxation_text(p.relaxation);
 }
 
 }  // namespace percal

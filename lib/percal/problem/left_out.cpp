@@ -49,7 +49,7 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
     list.push_back({"what follows the deepest point", "the scene wants the deepest point"});
   if (std::holds_alternative<NoRelaxation>(problem.relaxation))
     list.push_back({"rate dependence", "the scene gives none"});
-  const auto is_stretched = [](const auto& layer) { return layer.stretch != 1; };
+  const auto is_stretched = [](const auto& layer) { return layer.stretch != 1 || layer.stretch_across; };
   const auto has_fibres = [](const auto& layer) { return !std::holds_alternative<NoFibres>(layer.fibres); };
   if (!is_stretched(problem) && std::ranges::none_of(problem.below, is_stretched))
     list.push_back({"initial stretch", "the scene gives none"});

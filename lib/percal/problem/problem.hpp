@@ -26,8 +26,9 @@ struct Problem {
   Erosion erosion = NoErosion{};
   FurtherErosion further_erosion = {};
   ErosionAverage erosion_average = NoAverage{};
-  double stretch = 1;          // of the first layer's plane before the impact; 1: none
-  Fibres fibres = NoFibres{};  // of the first layer
+  double stretch = 1;                         // of the first layer's plane before the impact; 1: none
+  std::optional<double> stretch_across = {};  // of a block, along y; left out: as stretch
+  Fibres fibres = NoFibres{};                 // of the first layer
   Relaxation relaxation = NoRelaxation{};
 
   double elements_per_radius = 10;

@@ -124,9 +124,21 @@ void read_stretches(Problem& p, const std::string& text) {
   for (std::size_t k = 0; k < p.below.size(); ++k) p.below[k].stretch = numbers[k + 1];
 }
 
+// "[1.1,-,1.05]"; "-" where there is none
+void read_across(Problem& p, const std::string& text) {
+  std::istringstream items(text.substr(1, text.size() - 2));
+  std::vector<std::optional<double>> across;
+  for (std::string item; std::getline(items, item, ',');)
+    across.push_back(item == "-" ? std::nullopt : std::optional(std::strtod(item.c_str(), nullptr)));
+  across.resize(1 + p.below.size());
+  p.stretch_across = across[0];
+  for (std::size_t k = 0; k < p.below.size(); ++k) p.below[k].stretch_across = across[k + 1];
+}
+
 Fibres fibres_of(const std::string& text) {
   if (text.empty()) return NoFibres{};
-  const auto numbers = numbers_of(text, 3);
+  const auto numbers = numbers_of(text, 4);
+  if (std::ranges::count(text, ',') == 3) return FibreFamilies{numbers[0], numbers[1], numbers[2], numbers[3]};
   return PlanarFibres{numbers[0], numbers[1], numbers[2]};
 }
 
@@ -169,6 +181,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   p.below = below_of(words.text("below"));
   if (words.values.contains("further-erosion")) read_further_erosion(p, words.text("further-erosion"));
   if (words.values.contains("stretch")) read_stretches(p, words.text("stretch"));
+  if (words.values.contains("across")) read_across(p, words.text("across"));
   if (words.values.contains("fibres")) read_fibres(p, words.text("fibres"));
   if (words.values.contains("relaxation")) p.relaxation = series_of(words.text("relaxation"));
   if (words.values.contains("friction")) p.friction = CoulombFriction{words.number("friction")};

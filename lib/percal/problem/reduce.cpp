@@ -75,6 +75,9 @@ FurtherErosion reduced_further(const FurtherErosion& further, double stress) {
 }
 
 Fibres reduced_fibres(const Fibres& fibres, double stress) {
+  if (const auto* families = std::get_if<FibreFamilies>(&fibres))
+    return FibreFamilies{round_to_12_digits(families->k1 / stress), round_to_12_digits(families->k2),
+                         round_to_12_digits(families->kappa), round_to_12_digits(families->angle)};
   const auto* planar = std::get_if<PlanarFibres>(&fibres);
   if (!planar) return NoFibres{};
   return PlanarFibres{round_to_12_digits(planar->k1 / stress), round_to_12_digits(planar->k2),
@@ -104,6 +107,10 @@ double lower_limit(const LowerLayerScene& layer, const Scene& scene, double stre
   return round_to_12_digits(*layer.erosion_limit / stress);
 }
 
+std::optional<double> reduced_stretch(const std::optional<double>& stretch) {
+  return stretch ? std::optional(round_to_12_digits(*stretch)) : std::nullopt;
+}
+
 std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reduction& reduction) {
   std::vector<LowerLayer> below;
   for (const LowerLayerScene& layer : scene.below) {
@@ -118,6 +125,7 @@ std::vector<LowerLayer> layers_below(const Scene& scene, double stress, Reductio
     reduced.erosion_limit = lower_limit(layer, scene, stress);
     reduced.further_erosion = reduced_further(layer.further_erosion, stress);
     reduced.stretch = round_to_12_digits(layer.stretch);
+    reduced.stretch_across = reduced_stretch(layer.stretch_across);
     reduced.fibres = reduced_fibres(layer.fibres, stress);
     below.push_back(reduced);
   }
@@ -134,9 +142,13 @@ void need_whole_layers(const Scene& scene, const Problem& p) {
                    fmt::format("{}, which reaches the erosion strain of {} before the impact", stretch, limit),
                    fmt::format("a stretch below {:.6g}", stretch_at(limit, strain->measure)));
   };
-  check(p.stretch, strain->limit, "target.stretch");
+  const auto check_both = [&](const auto& layer, double limit, const std::string& table) {
+    check(layer.stretch, limit, table + ".stretch");
+    check(layer.stretch_across.value_or(1), limit, table + ".stretch_across");
+  };
+  check_both(p, strain->limit, "target");
   for (std::size_t k = 0; k < p.below.size(); ++k)
-    check(p.below[k].stretch, p.below[k].erosion_limit, fmt::format("below[{}].stretch", k + 1));
+    check_both(p.below[k], p.below[k].erosion_limit, fmt::format("below[{}]", k + 1));
 }
 
 Relaxation reduced_relaxation(const Scene& scene) {
@@ -152,10 +164,11 @@ Relaxation reduced_relaxation(const Scene& scene) {
 void take_block(const Scene& scene, Problem& p) {
   p.whole |= scene.particle.angle != 0;
   p.graded_columns = 0;
-  p.block = {.fine_thickness = round_to_12_digits(scene.mesh.fine_thickness),
-             .fine_depth = std::min(p.depth, round_to_12_digits(scene.mesh.fine_depth.value_or(p.depth))),
-             .growth = round_to_12_digits(scene.mesh.growth),
-             .angle = round_to_12_digits(scene.particle.angle)};
+  p.block = {
+      .fine_thickness = round_to_12_digits(scene.mesh.fine_thickness),
+      .fine_depth = std::min(p.whole_depth(), round_to_12_digits(scene.mesh.fine_depth.value_or(p.whole_depth()))),
+      .growth = round_to_12_digits(scene.mesh.growth),
+      .angle = round_to_12_digits(scene.particle.angle)};
 }
 
 void take_mesh(const Scene& scene, Problem& p) {
@@ -225,6 +238,7 @@ Reduction reduce(const Scene& scene) {
   p.further_erosion = reduced_further(target.further_erosion, stress);
   p.erosion_average = reduced_average(scene, reduction);
   p.stretch = round_to_12_digits(target.stretch);
+  p.stretch_across = reduced_stretch(target.stretch_across);
   p.fibres = reduced_fibres(target.fibres, stress);
   need_whole_layers(scene, p);
   p.relaxation = reduced_relaxation(scene);

@@ -20,6 +20,7 @@ void scale(ErosionBySize& by_size, double length) {
 
 void scale(Fibres& fibres, double pressure) {
   if (auto* planar = std::get_if<PlanarFibres>(&fibres)) planar->k1 *= pressure;
+  if (auto* families = std::get_if<FibreFamilies>(&fibres)) families->k1 *= pressure;
 }
 
 // Profile, lower layers, erosion and times: lengths by pi1, densities by pi5, pressures by pi4, times by pi10.

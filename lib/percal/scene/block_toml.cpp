@@ -33,14 +33,8 @@ MeshScene usual_mesh(const Scene& scene) {
 }
 
 void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh) {
-  if (scene.geometry != Geometry::block) {
-    for (const std::string key : {"fine_thickness", "fine_depth", "growth"}) {
-      if (table.has(key))
-        table.refuse(key, "this in a scene of two dimensions", "the key only beside geometry = \"block\"");
-      table.knows(key);
-    }
-    return;
-  }
+  for (const std::string key : {"fine_thickness", "fine_depth", "growth"}) refuse_elsewhere(table, key, scene.geometry);
+  if (scene.geometry != Geometry::block) return;
   if (table.has("graded_columns"))
     table.refuse("graded_columns", "this in geometry \"block\"",
                  "growth: what each cell is larger than the one before, at most");
@@ -54,6 +48,25 @@ void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh
   mesh.fine_thickness = table.number("fine_thickness", within, mesh.fine_thickness);
   mesh.fine_depth = table.optional_number("fine_depth", positive());
   mesh.growth = table.number("growth", growths, mesh.growth);
+}
+
+void refuse_elsewhere(const TomlTable& table, const std::string& key, Geometry geometry) {
+  if (geometry == Geometry::block) return;
+  if (table.has(key))
+    table.refuse(key, "this in a scene of two dimensions", "the key only beside geometry = \"block\"");
+  table.knows(key);
+}
+
+FibreFamilies fibre_families_from(const TomlTable& table) {
+  const Range dispersion{
+      .low = 0, .high = 1.0 / 3, .words = "a number from 0 (all along the family) to 1/3 (in all directions)"};
+  FibreFamilies fibres{.k1 = table.quantity("k1", dimension::pressure, positive("pressure")),
+                       .k2 = table.number("k2", positive())};
+  fibres.kappa = table.number("kappa", dispersion, fibres.kappa);
+  fibres.angle = angle_from(
+      table, "angle",
+      {.low = 0, .high = std::numbers::pi / 2, .words = "an angle from 0 to 90 deg with its unit, such as \"30 deg\""});
+  return fibres;
 }
 
 void read_angle(const TomlTable& table, Geometry geometry, ParticleScene& particle) {
@@ -76,17 +89,10 @@ void refuse_what_a_block_lacks(const TomlTable& root, const Scene& scene) {
   };
   const TomlTable target = root.table("target");
   const LayerScene& layer = scene.target;
-  const bool has_erosion = !std::holds_alternative<NoErosion>(layer.erosion);
-  const bool by_strain_alone = std::holds_alternative<StrainErosion>(layer.erosion) &&
-                               layer.further_erosion.is_empty() &&
-                               std::holds_alternative<NoAverage>(layer.erosion_average);
-  need_none(root, !scene.below.empty(), "below", "layers below the first", "one layer");
-  need_none(target, layer.stretch != 1, "stretch", "an initial stretch", "no initial stretch");
-  need_none(target, !std::holds_alternative<NoFibres>(layer.fibres), "fibres", "fibres", "no fibres");
   need_none(target, !std::holds_alternative<NoRelaxation>(layer.relaxation), "relaxation", "relaxation",
             "no relaxation");
-  need_none(target, has_erosion && !by_strain_alone, "erosion",
-            "a limit of stress or energy, or one judged over a length", "a limit of strain alone, or no erosion");
+  need_none(target, !std::holds_alternative<NoAverage>(layer.erosion_average), "erosion",
+            "a limit judged over a length", "limits that each element is judged by alone");
   need_none(root.table("particle"), !std::holds_alternative<NoFriction>(scene.particle.friction), "friction",
             "friction", "no friction");
   if (const auto solver = root.optional_table("solver")) {

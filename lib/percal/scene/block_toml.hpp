@@ -12,6 +12,12 @@ MeshScene usual_mesh(const Scene& scene);
 // fine_thickness, fine_depth and growth of a block; refused in other geometries, as graded_columns is in a block.
 void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh);
 
+// A key that only a block has.
+void refuse_elsewhere(const TomlTable& table, const std::string& key, Geometry geometry);
+
+// [target.fibres] with an angle.
+FibreFamilies fibre_families_from(const TomlTable& table);
+
 // `angle` of the particle. Refused where the geometry, or a particle that is held as it stands, has none.
 void read_angle(const TomlTable& table, Geometry geometry, ParticleScene& particle);
 

@@ -101,7 +101,16 @@ struct PlanarFibres {
   double kappa = 0.5;  // dispersion out of the plane: 1/2 none, 1/3 the same in all directions of space
   bool operator==(const PlanarFibres&) const = default;
 };
-using Fibres = std::variant<NoFibres, PlanarFibres>;
+// Two families in the plane of a block's layer, at this angle to both sides of x, each of W_f with E = kappa (tr C - 3) + (1 - 3 kappa) (C_aa - 1)
+// of the isochoric C along the family.     docs/theory/solid.md, Fibres
+struct FibreFamilies {
+  double k1;  // Pa in a scene, over rho_t v^2 in a problem
+  double k2;
+  double kappa = 0;  // dispersion: 0 none, 1/3 the same in all directions of space
+  double angle = 0;  // rad
+  bool operator==(const FibreFamilies&) const = default;
+};
+using Fibres = std::variant<NoFibres, PlanarFibres, FibreFamilies>;
 
 // --- the particle -----------------------------------------------------------------------------------------------
 // A sphere; in plane strain a cylinder lying on its side.
@@ -163,7 +172,8 @@ struct LayerScene {
   ErosionBySize erosion_by_size = AnySize{};
   ErosionAverage erosion_average = NoAverage{};
   Relaxation relaxation = NoRelaxation{};
-  double stretch = 1;  // of the plane of the layer before the impact; the wall holds it
+  double stretch = 1;                    // of the plane of the layer before the impact; the wall holds it
+  std::optional<double> stretch_across;  // of a block: along y, where `stretch` is along x; left out: as that
   Fibres fibres = NoFibres{};
   bool operator==(const LayerScene&) const = default;
 };
@@ -181,6 +191,7 @@ struct LowerLayerScene {
   FurtherErosion further_erosion = {};  // of kinds that the first one has
   ErosionBySize erosion_by_size = AnySize{};
   double stretch = 1;
+  std::optional<double> stretch_across;
   Fibres fibres = NoFibres{};
   bool operator==(const LowerLayerScene&) const = default;
 };

@@ -101,6 +101,13 @@ void write_volumetric(Lines& lines, const VolumetricChoice& volumetric) {
 }
 
 void write_fibres(Lines& lines, const char* table, const Fibres& fibres) {
+  if (const auto* families = std::get_if<FibreFamilies>(&fibres)) {
+    lines.table(table);
+    lines.quantity("k1", families->k1, "Pa");
+    lines.number("k2", families->k2);
+    lines.number("kappa", families->kappa);
+    lines.quantity("angle", families->angle, "rad");
+  }
   const auto* planar = std::get_if<PlanarFibres>(&fibres);
   if (!planar) return;
   lines.table(table);
@@ -150,6 +157,7 @@ void write_target(Lines& lines, const LayerScene& target) {
   lines.quantity("depth", target.depth, "m");
   if (target.width) lines.quantity("width", *target.width, "m");
   if (target.stretch != 1) lines.number("stretch", target.stretch);
+  if (target.stretch_across) lines.number("stretch_across", *target.stretch_across);
   lines.word("bottom", target.bottom == Bottom::free ? "free" : "fixed");
   write_fibres(lines, "target.fibres", target.fibres);
   if (!std::holds_alternative<NoErosion>(target.erosion)) {
@@ -179,6 +187,7 @@ void write_below(Lines& lines, const std::vector<LowerLayerScene>& below, const 
     write_volumetric(lines, layer.volumetric);
     lines.quantity("depth", layer.depth, "m");
     if (layer.stretch != 1) lines.number("stretch", layer.stretch);
+    if (layer.stretch_across) lines.number("stretch_across", *layer.stretch_across);
     write_fibres(lines, "below.fibres", layer.fibres);
     if (!layer.erosion_limit && layer.further_erosion.is_empty()) continue;
     lines.table("below.erosion");

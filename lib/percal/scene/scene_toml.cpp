@@ -21,6 +21,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_alpha = 1e-3;  // the solver divides by alpha
 const Range initial_stretches{.low = 0.5, .high = 3, .words = "a stretch from 0.5 to 3; 1: none"};
 
+std::optional<double> stretch_across_from(const TomlTable& layer, Geometry geometry) {
+  refuse_elsewhere(layer, "stretch_across", geometry);
+  return layer.optional_number("stretch_across", initial_stretches);
+}
+
 Relaxation read_relaxation(const TomlTable& target) {
   const auto tables = target.tables("relaxation");
   if (tables.empty()) return NoRelaxation{};
@@ -40,9 +45,11 @@ Relaxation read_relaxation(const TomlTable& target) {
   return series;
 }
 
-Fibres read_fibres(const TomlTable& layer) {
+Fibres read_fibres(const TomlTable& layer, Geometry geometry) {
   const auto table = layer.optional_table("fibres");
   if (!table) return NoFibres{};
+  if (geometry == Geometry::block && table->has("angle")) return fibre_families_from(*table);
+  refuse_elsewhere(*table, "angle", geometry);
   const Range dispersion{
       .low = 1.0 / 3, .high = 0.5, .words = "a number from 1/3 (in all directions) to 1/2 (in the layer's plane)"};
   PlanarFibres fibres{.k1 = table->quantity("k1", dimension::pressure, positive("pressure")),
@@ -99,13 +106,15 @@ LayerScene target_from(const TomlTable& table, const ParticleScene& particle, Ge
       length_above(widest, widest == particle.radius ? "radius" : "largest distance from its middle line"));
   target.bottom = static_cast<Bottom>(table.word("bottom", {"free", "fixed"}, static_cast<int>(target.bottom)));
   target.stretch = table.number("stretch", initial_stretches, target.stretch);
-  target.fibres = read_fibres(table);
+  target.stretch_across = stretch_across_from(table, geometry);
+  target.fibres = read_fibres(table, geometry);
   read_erosion(table, particle, target);
   target.relaxation = read_relaxation(table);
   return target;
 }
 
-std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, const LayerScene& first) {
+std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, const LayerScene& first,
+                                        Geometry geometry) {
   std::vector<LowerLayerScene> below;
   for (const TomlTable& table : tables) {
     LowerLayerScene layer;
@@ -117,7 +126,8 @@ std::vector<LowerLayerScene> below_from(const std::vector<TomlTable>& tables, co
     layer.volumetric = volumetric_from(table);
     layer.depth = table.quantity("depth", dimension::length, positive("length"));
     layer.stretch = table.number("stretch", initial_stretches, layer.stretch);
-    layer.fibres = read_fibres(table);
+    layer.stretch_across = stretch_across_from(table, geometry);
+    layer.fibres = read_fibres(table, geometry);
     read_lower_erosion(table, first, layer);
     below.push_back(layer);
   }
@@ -167,7 +177,7 @@ OutputScene read_output(const TomlTable& table) {
 
 // The first layer may be thinner than the particle; all of them may not.
 std::vector<LowerLayerScene> read_below(const TomlTable& root, const TomlTable& target_table, const Scene& scene) {
-  auto below = below_from(root.tables("below"), scene.target);
+  auto below = below_from(root.tables("below"), scene.target, scene.geometry);
   double depth = scene.target.depth;
   for (const auto& layer : below) depth += layer.depth;
   if (!(depth > scene.particle.radius))

@@ -49,7 +49,7 @@ std::vector<std::string> judge_run(const ImpactResult& result, const Problem& pr
     troubles.push_back(fmt::format("the energy is {:+.1f} % off", 100 * closure));
   if (result.smallest_jacobian <= 0)
     troubles.push_back(fmt::format("an element was turned inside out: J = {:.3g}", result.smallest_jacobian));
-  const auto is_stretched = [](const auto& layer) { return layer.stretch != 1; };
+  const auto is_stretched = [](const auto& layer) { return layer.stretch != 1 || layer.stretch_across; };
   const bool taut = is_stretched(problem) || std::ranges::any_of(problem.below, is_stretched);
   // Energies of stretched elements are counted from their stretch, and fall where they slacken.
   const auto may_be_negative = [taut](double EnergyLedger::*share) {

@@ -201,17 +201,17 @@ class Planner {
   }
 
   void skin() {
-    const auto some = [this](const auto& has) {
-      return has(scene_.target) || std::ranges::any_of(scene_.below, has);
-    };
+    const auto some = [this](const auto& has) { return has(scene_.target) || std::ranges::any_of(scene_.below, has); };
     about(OmissionKind::physics);
-    if (some([](const auto& layer) { return layer.stretch != 1; }))
+    if (some([](const auto& layer) { return layer.stretch != 1 || layer.stretch_across; }))
       add("no initial stretch", "without the stretch that layers have before the impact",
-          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = 1; }); });
+          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = 1, layer.stretch_across.reset(); }); });
     else {
       about(OmissionKind::physics, "initial stretch", true);
-      add("initial stretch", fmt::format("an illustration: every layer stretched by {} in its plane", illustrated_stretch),
-          [](Scene& s) { each_layer(s, [](auto& layer) { layer.stretch = illustrated_stretch; }); });
+      add("initial stretch",
+          fmt::format("an illustration: every layer stretched by {} in its plane", illustrated_stretch), [](Scene& s) {
+            each_layer(s, [](auto& layer) { layer.stretch = illustrated_stretch, layer.stretch_across.reset(); });
+          });
     }
     about(OmissionKind::physics);
     if (some([](const auto& layer) { return !std::holds_alternative<NoFibres>(layer.fibres); }))

@@ -10,14 +10,14 @@ namespace percal {
 // internal forces.
 template <class Real>
 struct FieldsView {
-  Real *u_r, *u_z;          // nodal displacements: never positions, whose rounding would heat a mesh in float
-  Real *v_r, *v_z;          // nodal velocities, half a step behind
-  Real* inverse_mass;       // 0 where a node is held
-  Real* touchable;          // 1 for a node that the particle can meet, else 0
-  Real* jacobian;           // J of an element at its last step
-  Real* viscous_pressure;   // q of an element at its last step
-  Real* erosion_measure;    // what erosion is judged by, at its last step
-  Real* foreseen_measure;   // the same one and a half steps on; null where no average is taken (averaged_energy)
+  Real *u_r, *u_z;         // nodal displacements: never positions, whose rounding would heat a mesh in float
+  Real *v_r, *v_z;         // nodal velocities, half a step behind
+  Real* inverse_mass;      // 0 where a node is held
+  Real* touchable;         // 1 for a node that the particle can meet, else 0
+  Real* jacobian;          // J of an element at its last step
+  Real* viscous_pressure;  // q of an element at its last step
+  Real* erosion_measure;   // what erosion is judged by, at its last step
+  Real* foreseen_measure;  // the same one and a half steps on; null where no average is taken (averaged_energy)
   Real* alive;  // 1; 0 for an eroded element and beyond the last row; to be taken out after this step: -1 for
                 // having reached the limit of erosion, -2 for being distorted; `candidate`, `condemned`
   int stride;
@@ -54,9 +54,11 @@ struct InitialStretch {
   bool is_none() const { return r == 1 && z == 1 && hoop == 1; }
 };
 
-// PlanarFibres of scene/scene.hpp, which brings too much here.
+// PlanarFibres of scene/scene.hpp, which brings too much here; in a block FibreFamilies too.
 struct FibreConstants {
   double k1 = 0, k2 = 1, kappa = 0.5;
+  bool in_families = false;
+  double angle = 0;  // of the families with x, to both sides
   bool is_none() const { return k1 == 0; }
 };
 
@@ -69,7 +71,8 @@ struct MaterialConstants {
   double smallest_jacobian;     // an element below it is taken out (0: none)
   double largest_inverse_step;  // an element above it is taken out (infinite: none)
   double density = 1;           // over the first layer's
-  double erosion_limit = 1e30;  // of stress or energy density, where that alone decides (ErosionKind); infinite likewise
+  double erosion_limit =
+      1e30;  // of stress or energy density, where that alone decides (ErosionKind); infinite likewise
   // Beside erosion_stretch, where the first limit reached decides (ErosionKind::several); infinite likewise.
   double stress_limit = 1e30, energy_limit = 1e30;
   InitialStretch initial = {};
@@ -132,7 +135,7 @@ struct GeneralSolidView {
   RelaxationView<Real> relaxation;
   bool is_stretched;  // before the impact: some layer
   bool has_fibres;    // some layer
-  double time = 0;  // of the displacements
+  double time = 0;    // of the displacements
 };
 
 // Where the forces of one column go.

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "percal/impact/march/channel_record.hpp"
 #include "percal/impact/march/contact_zone.hpp"
+#include "percal/impact/march/course.hpp"
 #include "percal/impact/march/layer_speeds.hpp"
 #include "percal/impact/march/recorder.hpp"
-#include "percal/impact/march/rest_watch.hpp"
 #include "percal/impact/march/sweep.hpp"
 #include "percal/impact/particle/elastic_sphere.hpp"
 #include "percal/impact/particle/particle.hpp"
@@ -37,6 +37,7 @@ class March {
         recorder_(problem.history_samples),
         layer_speeds_(problem),
         channel_(problem.channel, block_.mesh().rows),
+        course_(problem),
         observer_(observer),
         substeps_(rates_of(problem)) {
     if (solid_.is_stretched()) torn_ = !take_initial_state(block_, solid_);
@@ -46,14 +47,13 @@ class March {
       near_ = NearCells(block_.mesh().columns(), sweep_.whole_groups(block_.mesh().rows), kernel_.lanes);
     before_ = near_;
     result_.elements = block_.mesh().elements();
-    result_.smallest_step = 1;
   }
 
   ImpactResult run() {
     for (;;) {
       find_all_forces();
       channel_.look(block_, result_.depth);
-      if (has_ended() && !goes_on()) break;
+      if (course_.has_ended(sight()) && !goes_on()) break;
       choose_step();
       if (recorder_.is_due()) recorder_.keep(history_point());
       if (observer_ && observer_->is_due(moment())) observer_->see(frame());
@@ -68,7 +68,7 @@ class March {
     }
     synchronise();
     close_the_books();
-    return at_deepest_ ? with_aftermath(std::move(*at_deepest_)) : std::move(result_);
+    return course_.finished(place());
   }
 
  private:
@@ -133,81 +133,27 @@ class March {
     if (block_.view().alive[block_.at(column, row)] < -1)
       ++result_.distorted;
     else if (solid_.erosion_kind == ErosionKind::several)
-      ++count_of(leading_criterion(block_, solid_, column, row));
+      ++count_of(result_.eroded_by, leading_criterion(block_, solid_, column, row));
     if (!solid_.erodes(row)) inside_out_ = true;
     block_.take_out(column, row, problem_.eroded_nodes == ErodedNodes::in_contact);
   }
 
-  long& count_of(Criterion criterion) {
-    switch (criterion) {
-      case Criterion::stress: return result_.eroded_by.stress;
-      case Criterion::energy: return result_.eroded_by.energy;
-      case Criterion::strain: break;
-    }
-    return result_.eroded_by.strain;
+  Course::Sight sight() const {
+    std::string failure = particle_.failure();
+    if (inside_out_) failure = "an element turned inside out";
+    if (torn_) failure = "the target's initial stretch alone reaches its limit of erosion";
+    return {place(), std::isfinite(zone_.force()) && std::isfinite(viscous_work_ + relaxing_work_),
+            std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step, std::move(failure)};
   }
 
-  bool has_ended() {
-    if (!at_deepest_) result_.depth = std::max(result_.depth, particle_.tip());
-    if (!std::isfinite(zone_.force()) || !std::isfinite(viscous_work_ + relaxing_work_))
-      return end(Outcome::unstable, "a force is not finite");
-    if (torn_) return end(Outcome::unstable, "the target's initial stretch alone reaches its limit of erosion");
-    if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
-    if (std::max(forces_.near_inverse_step, far_inverse_step_) * limits_.first_step * collapsed_step > 1)
-      return end(Outcome::time_up, "the time step collapsed");
-    if (std::abs(particle_.speed()) > 10 * problem_.speed_factor)
-      return end(Outcome::unstable, "the particle is ten times faster than at impact");
-    if (const std::string failure = particle_.failure(); !failure.empty()) return end(Outcome::unstable, failure);
-    if (result_.steps >= most_steps) return end(Outcome::time_up, "");
-    if (at_deepest_) return rests_or_has_left() || (time_ >= problem_.end_time && end(Outcome::time_up, ""));
-    if (particle_.speed() <= 0) return end(Outcome::stopped, "");
-    if (particle_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
-    if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
-    return false;
-  }
-
-  // Past the deepest point, or out of the target where it is free below: what the run says up to here is put aside.
   bool goes_on() {
-    const bool passes = result_.outcome == Outcome::passed_through;
-    const bool rests = result_.outcome == Outcome::stopped;
-    if (at_deepest_ ||
-        !((problem_.until != RunUntil::deepest && passes) || (problem_.until == RunUntil::rest && rests)))
-      return false;
-    ImpactResult here = at_one_time([this] {
-      take_stock();
-      return result_;
+    return course_.goes_on([this] {
+      return std::pair(at_one_time([this] {
+                         take_stock();
+                         return result_;
+                       }),
+                       time_);
     });
-    if (here.outcome == Outcome::unstable) return false;
-    at_deepest_ = std::move(here);
-    rest_watch_.begin(time_, result_.depth, problem_.whole_depth());
-    if (passes && problem_.bottom == Bottom::fixed) ending_ = Ending::passed_through;
-    return !ending_;
-  }
-
-  bool rests_or_has_left() {
-    ending_ = rest_watch_.look({time_, particle_.tip(), particle_.top(), particle_.speed()});
-    if (problem_.until == RunUntil::passage && particle_.speed() <= 0) ending_ = Ending::rests;
-    return ending_.has_value();
-  }
-
-  // What was put aside, with what came after.
-  ImpactResult with_aftermath(ImpactResult deepest) const {
-    Ending ending = ending_.value_or(Ending::time_up);
-    if (result_.outcome == Outcome::unstable) ending = Ending::unstable;
-    deepest.aftermath =
-        rest_watch_.aftermath(ending, {time_, particle_.tip(), particle_.top(), particle_.speed()}, result_);
-    deepest.steps = result_.steps;
-    deepest.element_steps = result_.element_steps;
-    deepest.helper_cpu_seconds = result_.helper_cpu_seconds;
-    deepest.history = result_.history;
-    deepest.channel = result_.channel;
-    return deepest;
-  }
-
-  bool end(Outcome outcome, const std::string& reason) {
-    result_.outcome = outcome;
-    result_.reason = reason;
-    return true;
   }
 
   // The step of the particle and of what is near it; the far elements take substeps_ times as much.
@@ -289,6 +235,7 @@ class March {
     return {time_, particle_.tip(), particle_.speed(), zone_.force(), at_one_time(shares)};
   }
 
+  ParticlePlace place() const { return {time_, particle_.tip(), particle_.top(), particle_.speed()}; }
   Moment moment() const { return {time_, particle_.tip(), result_.steps}; }
   // Velocities as they stand.
   Frame frame_as_is(bool is_last) const {
@@ -330,8 +277,7 @@ class March {
     result_.turn = particle_.turn();
     result_.target_momentum = target_momentum();
     result_.speeds_behind = layer_speeds_.at_the_end(time_, particle_.speed());
-    const bool closes = std::abs(result_.energy.closure()) <= tolerated_energy_error;  // false for NaN
-    if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
+    course_.judge_energy();
   }
 
   void close_the_books() {
@@ -354,15 +300,13 @@ class March {
   Recorder recorder_;
   LayerSpeeds layer_speeds_;
   ChannelRecord<Real> channel_;
-  RestWatch rest_watch_;
-  std::optional<ImpactResult> at_deepest_;  // where the run goes on past it
-  std::optional<Ending> ending_;            // then
-  FrameObserver* const observer_;           // null where nobody looks on
+  Course course_;
+  ImpactResult& result_ = course_.result();
+  FrameObserver* const observer_;  // null where nobody looks on
   const int substeps_;
   NearCells before_;  // those of the last move
   NearCells near_;    // elements that take the short step
   SweepReport forces_;
-  ImpactResult result_;
   double time_ = 0, step_ = 0, last_step_ = 0, last_far_step_ = 0, far_inverse_step_ = 0;
   double impact_energy_ = 0, viscous_work_ = 0, relaxing_work_ = 0, eroded_energy_ = 0;
   int rows_moving_ = 0;

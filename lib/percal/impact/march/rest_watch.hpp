@@ -50,7 +50,8 @@ class RestWatch {
   // How it ended, at this place; the rest is the run's.
   Aftermath aftermath(Ending ending, const ParticlePlace& now, const ImpactResult& run) const {
     const Swing last = swing(now.time);
-    const bool has_left = ending == Ending::left_upwards || ending == Ending::passed_through;
+    const bool has_left =
+        ending == Ending::left_upwards || ending == Ending::ricochets || ending == Ending::passed_through;
     return {.ending = ending,
             .reason = run.reason,
             .depth = has_left ? now.tip : last.middle(),

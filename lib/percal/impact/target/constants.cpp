@@ -152,6 +152,8 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
     set_erosion_limit(c, layer, p);
     if (const auto* fibres = std::get_if<PlanarFibres>(&layer.fibres))
       c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
+    if (const auto* fibres = std::get_if<FibreFamilies>(&layer.fibres))
+      c.fibres = {fibres->k1, fibres->k2, fibres->kappa, true, fibres->angle};
     c.initial =
         initial_stretch(layer.stretch, p.geometry,
                         {{layer.mu * lasting, layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});

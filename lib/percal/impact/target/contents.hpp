@@ -29,6 +29,14 @@ double erosion_measure(const Block<Real>&, const TargetSolid&, int column, int r
 
 // Where several criteria decide: the one of which this element has reached the largest share of its limit.
 enum class Criterion { strain, stress, energy };
+inline long& count_of(ErodedBy& eroded, Criterion criterion) {
+  switch (criterion) {
+    case Criterion::stress: return eroded.stress;
+    case Criterion::energy: return eroded.energy;
+    case Criterion::strain: break;
+  }
+  return eroded.strain;
+}
 template <class Real>
 Criterion leading_criterion(const Block<Real>&, const TargetSolid&, int column, int row);
 

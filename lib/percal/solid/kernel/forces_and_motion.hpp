@@ -2,7 +2,7 @@
 // instruction level (kernel_level.cpp).
 #pragma once
 #include "percal/impact/kernel/held_energy.hpp"
-#include "percal/solid/kernel/hexahedron.hpp"
+#include "percal/solid/kernel/brick_solid.hpp"
 #include "percal/solid/kernel/kernel.hpp"
 
 namespace percal::PERCAL_LEVEL::hex {
@@ -15,32 +15,22 @@ PERCAL_INLINE Tensor<V> gradient_of(const Modes<V>& x, const Modes<V>& y, const 
           y.z * per_z,           z.x * per_x, z.y * per_y, z.z * per_z + Real(1)};
 }
 
-// The walk down one column of elements.
-template <class Real>
+// The walk down one column of elements. What they are made of answers through `solid`: UniformBrick or LayeredBrick.
+template <class Real, class Solid>
 class ColumnWalk {
   using V = typename VectorOf<Real>::type;
   static constexpr int lanes = Lane<V>::count;
 
  public:
-  PERCAL_INLINE ColumnWalk(const SolidFields<Real>& fields, const std::array<long, 4>& nodes,
+  PERCAL_INLINE ColumnWalk(Solid& solid, const SolidFields<Real>& fields, const std::array<long, 4>& nodes,
                            const SlabForces<Real>& forces, const BoxColumn& column, const RowHeights<Real>& rows,
-                           const MaterialConstants& material, double previous_step, ColumnReport& report)
-      : fields_(fields),
+                           double previous_step, ColumnReport& report)
+      : solid_(solid),
+        fields_(fields),
         nodes_(nodes),
         forces_(forces),
         rows_(rows),
         report_(report),
-        mu_(Real(material.mu)),
-        bulk_(Real(material.bulk)),
-        alpha_(Real(material.alpha)),
-        two_mu_over_alpha_(Real(2 * material.mu / material.alpha)),
-        hourglass_(Real(material.hourglass * material.mu)),
-        linear_viscosity_(Real(material.linear_viscosity)),
-        quadratic_viscosity_(Real(material.quadratic_viscosity)),
-        erosion_limit_(bounded_limit<Real>(material.erosion_stretch * material.erosion_stretch)),
-        smallest_jacobian_(Real(material.smallest_jacobian)),
-        largest_inverse_step_(
-            Real(material.largest_inverse_step < largest_number ? material.largest_inverse_step : largest_number)),
         base_(Real(column.width_x * column.width_y)),
         root3_(Real(__builtin_cbrt(column.width_x * column.width_y))),
         per_x_(Real(1 / column.width_x)),
@@ -80,48 +70,47 @@ class ColumnWalk {
   PERCAL_INLINE void take_group(int k, V state) {
     const V zero{};
     auto live = state > Real(0);
+    const auto& material = solid_.at(k);
     // Gather.
     const Modes<V> x = gather(0, k), y = gather(1, k), z = gather(2, k);
     const V per_z = load<V>(rows_.per_height + k), volume = base_ * load<V>(rows_.height + k);
     const Real quarter_x = Real(0.25) * per_x_, quarter_y = Real(0.25) * per_y_;
     const V quarter_z = Real(0.25) * per_z;
-    const Tensor<V> F = hex::gradient_of(x, y, z, quarter_x, quarter_y, quarter_z);
+    Tensor<V> F = hex::gradient_of(x, y, z, quarter_x, quarter_y, quarter_z);
+    solid_.add_initial_stretch(F);
 
     // Compute.
     const Deformation<V> d = deformation_of(F);
-    const Powers<V> g = powers_of(d.spectrum, d.mean, alpha_);
-    const Symmetric<V> isochoric = isochoric_kirchhoff(d.B, d.B2, d.trace_of_square, d.spectrum, g, two_mu_over_alpha_);
+    const Powers<V> g = powers_of(d.spectrum, d.mean, material.alpha);
+    const Symmetric<V> isochoric =
+        isochoric_kirchhoff(d.B, d.B2, d.trace_of_square, d.spectrum, g, material.two_mu_over_alpha);
     const long element = nodes_[0] + k;
     const V old_jacobian = load<V>(fields_.jacobian + element),
             old_viscous = load<V>(fields_.viscous_pressure + element);
     const V closing = larger((old_jacobian - d.jacobian) * per_step_ * d.inverse_jacobian, zero);  // -tr D
     const V length = root3_ * load<V>(rows_.root3 + k);
-    const V damping = length * (linear_viscosity_ + quadratic_viscosity_ * length * closing);
+    const V damping = length * (material.linear_viscosity + material.quadratic_viscosity * length * closing);
     V q = again_ ? old_viscous : damping * closing;
-    const V pressure = kirchhoff_pressure(PressureLaw::log_quadratic, d.jacobian, bulk_) - q * d.jacobian;
-    const Symmetric<V> tau{isochoric.xx + pressure,
-                           isochoric.yy + pressure,
-                           isochoric.zz + pressure,
-                           isochoric.xy,
-                           isochoric.xz,
-                           isochoric.yz};
-    const Tensor<V> P = first_piola(tau, d);
-    const V stiffness = volumetric_stiffness(PressureLaw::log_quadratic, d.jacobian, bulk_);
+    const V pressure = kirchhoff_pressure(PressureLaw::log_quadratic, d.jacobian, material.bulk);
+    Symmetric<V> tau = isochoric;
+    solid_.add_further_stress(F, d, tau);
+    const V whole = pressure - q * d.jacobian;
+    Tensor<V> P = first_piola(plus(tau, whole), d);
     const Real per_x2 = per_x_ * per_x_, per_y2 = per_y_ * per_y_;
     const V per_z2 = per_z * per_z;
-    const StepBound<V> bound =
-        step_bound(d, isochoric, stiffness, g.sum() * Real(1.0 / 3), mu_, alpha_, per_x2, per_y2, per_z2);
+    const StepBound<V> bound = solid_.bound_of_step(d, isochoric, V(g.sum() * Real(1.0 / 3)), per_x2, per_y2, per_z2);
     const V drag = damping * d.jacobian * bound.over_stretch;
-    const V inverse_step = square_root(larger(bound.stiffness, zero) + drag * drag) + drag;
+    const V inverse_step = solid_.inverse_step(bound, drag);
 
     // Erode, judged half a step ahead: impact/kernel/internal_forces.hpp.
-    const V now = d.spectrum.largest, change = now - load<V>(fields_.erosion_measure + element);
+    const V now = solid_.erosion_measure(d, g, plus(tau, pressure)),
+            change = now - load<V>(fields_.erosion_measure + element);
     store(fields_.erosion_measure + element, now);
-    const auto at_limit = beyond_own_limit(now, change, erosion_limit_);
-    auto gone =
-        live & (at_limit | (d.unbounded_jacobian < smallest_jacobian_) | (inverse_step > largest_inverse_step_));
+    const auto at_limit = beyond_own_limit(now, change, material.erosion_limit);
+    auto gone = live & (at_limit | (d.unbounded_jacobian < material.smallest_jacobian) |
+                        (inverse_step > material.largest_inverse_step));
     if (again_) gone = gone & ~gone;
-    const V lost = volume * Real(0.5) * (old_jacobian - d.jacobian);
+    const V lost = solid_.per_mesh_volume(V(volume * Real(0.5) * (old_jacobian - d.jacobian)));
     if (__builtin_expect(any(gone), 0)) {
       const V why = select(at_limit, broadcast<V>(Real(-1)), broadcast<V>(Real(-2)));
       store(fields_.alive + element, select(gone, why, state));
@@ -136,9 +125,10 @@ class ColumnWalk {
     store(fields_.jacobian + element, d.jacobian);
     store(fields_.viscous_pressure + element, q);
 
+    solid_.refer_to_mesh(P);
     // Scatter.
     const V share = select(live, volume, zero);
-    const HourglassStiffness<V> spring = hex::hourglass_stiffness(hourglass_ * share, per_x2, per_y2, per_z2);
+    const HourglassStiffness<V> spring = hex::hourglass_stiffness(material.hourglass * share, per_x2, per_y2, per_z2);
     const V to_x = share * quarter_x, to_y = share * quarter_y, to_z = share * quarter_z;
     const auto amplitudes = [&](const Modes<V>& m, V along_x, V along_y, V along_z) {
       return Modes<V>{along_x * to_x,   along_y * to_y,   along_z * to_z,    m.xy * spring.xy,
@@ -182,14 +172,13 @@ class ColumnWalk {
     }
   }
 
+  Solid& solid_;
   const SolidFields<Real>& fields_;
   const std::array<long, 4> nodes_;
   const SlabForces<Real>& forces_;
   const RowHeights<Real> rows_;
   ColumnReport& report_;
-  const Real mu_, bulk_, alpha_, two_mu_over_alpha_, hourglass_, linear_viscosity_, quadratic_viscosity_,
-      erosion_limit_;
-  const Real smallest_jacobian_, largest_inverse_step_, base_, root3_, per_x_, per_y_;
+  const Real base_, root3_, per_x_, per_y_;
   const bool again_;  // nothing has moved: what depends on rates is as it was
   const Real per_step_;
   V lower_[3][4] = {};  // what the rows before gave to their lower corners
@@ -200,7 +189,17 @@ template <class Real>
 void internal_forces(const SolidFields<Real>& fields, const std::array<long, 4>& nodes, const SlabForces<Real>& forces,
                      Rows rows, const BoxColumn& column, const RowHeights<Real>& heights,
                      const MaterialConstants& material, double previous_step, ColumnReport& report) {
-  ColumnWalk<Real>(fields, nodes, forces, column, heights, material, previous_step, report).over(rows);
+  UniformBrick<Real> solid(material);
+  ColumnWalk(solid, fields, nodes, forces, column, heights, previous_step, report).over(rows);
+}
+
+template <class Real>
+void internal_forces_layered(const SolidFields<Real>& fields, const std::array<long, 4>& nodes,
+                             const SlabForces<Real>& forces, Rows rows, const BoxColumn& column,
+                             const RowHeights<Real>& heights, const LayeredSolidView& view, double previous_step,
+                             ColumnReport& report) {
+  LayeredBrick<typename VectorOf<Real>::type> solid(view);
+  ColumnWalk(solid, fields, nodes, forces, column, heights, previous_step, report).over(rows);
 }
 
 template <class Real>
@@ -263,15 +262,15 @@ int nodes_in_polyhedron(const SolidFields<const Real>& fields, const ColumnNodes
 
 template <class Real>
 StoredEnergy stored_energy(const SolidFields<const Real>& fields, const std::array<long, 4>& nodes, int rows,
-                           const BoxColumn& column, const RowHeights<Real>& heights,
-                           const MaterialConstants& material) {
+                           const BoxColumn& column, const RowHeights<Real>& heights, const LayeredSolidView& view) {
   using V = DoubleLanes::Vector;
   const double per_x = 1 / column.width_x, per_y = 1 / column.width_y, base = column.width_x * column.width_y;
-  const double energy_scale = 2 * material.mu / (material.alpha * material.alpha);
+  LayeredBrick<V> solid(view);
   V elastic{}, hourglass{};
   for (int k = 0; k < rows; k += DoubleLanes::count) {
     const auto live = in_double(fields.alive + nodes[0] + k) > 0.0;
     if (!any(live)) continue;
+    const LayeredConstants<V>& material = solid.at(k);
     const auto modes = [&](const Real* u) {
       Corners8<V> corners;
       for (int c = 0; c < 4; ++c) {
@@ -281,14 +280,19 @@ StoredEnergy stored_energy(const SolidFields<const Real>& fields, const std::arr
       return modes_of(corners);
     };
     const Modes<V> x = modes(fields.u[0]), y = modes(fields.u[1]), z = modes(fields.u[2]);
-    const V height = in_double(heights.height + k), per_z = 1.0 / height;
-    const Deformation<V> d = deformation_of(hex::gradient_of(x, y, z, 0.25 * per_x, 0.25 * per_y, 0.25 * per_z));
-    const Powers<V> g = powers_of(d.spectrum, d.mean, material.alpha);
-    const V energy =
-        energy_scale * (g.sum() - 3.0) + volumetric_energy(PressureLaw::log_quadratic, d.jacobian, material.bulk);
-    const V volume = base * height;
-    const HourglassStiffness<V> spring = hex::hourglass_stiffness(material.hourglass * material.mu * volume,
-                                                                  per_x * per_x, per_y * per_y, per_z * per_z);
+    const V height = in_double(heights.height + k), per_z = 1.0 / height, volume = base * height;
+    // Of a gradient over the mesh.
+    const auto energy_of = [&](Tensor<V> F) {
+      solid.add_initial_stretch(F);
+      const Deformation<V> d = deformation_of(F);
+      Symmetric<V> tau{};
+      solid.add_further_stress(F, d, tau);
+      return solid.per_mesh_volume(solid.energy(d, powers_of(d.spectrum, d.mean, material.alpha)));
+    };
+    V energy = energy_of(hex::gradient_of(x, y, z, 0.25 * per_x, 0.25 * per_y, 0.25 * per_z));
+    if (view.is_stretched) energy -= energy_of(hex::gradient_of(Modes<V>{}, Modes<V>{}, Modes<V>{}, 0, 0, V{}));
+    const HourglassStiffness<V> spring =
+        hex::hourglass_stiffness(V(material.hourglass * volume), per_x * per_x, per_y * per_y, V(per_z * per_z));
     const auto sprung = [&](const Modes<V>& m) {
       return m.xy * m.xy * spring.xy + m.xz * m.xz * spring.xz + m.yz * m.yz * spring.yz + m.xyz * m.xyz * spring.xyz;
     };

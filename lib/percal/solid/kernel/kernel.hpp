@@ -61,6 +61,14 @@ struct ColumnNodes {
   Rows rows;
 };
 
+// A block that is more than one layer of the plain solid.
+struct LayeredSolidView {
+  const SolidLayer* layers;
+  int layer_count;
+  ErosionKind erosion_kind;
+  bool is_stretched, has_fibres;  // some layer
+};
+
 template <class Real>
 struct SolidKernel {
   // Sets the corner forces of the elements in column `entry` and these rows; marks those to be taken out, which give none. The four
@@ -68,6 +76,10 @@ struct SolidKernel {
   void (*internal_forces)(const SolidFields<Real>&, const std::array<long, 4>& nodes, const SlabForces<Real>&, Rows,
                           const BoxColumn&, const RowHeights<Real>&, const MaterialConstants&, double previous_step,
                           ColumnReport&);
+  // The same of a block that is more than that.
+  void (*internal_forces_layered)(const SolidFields<Real>&, const std::array<long, 4>& nodes, const SlabForces<Real>&,
+                                  Rows, const BoxColumn&, const RowHeights<Real>&, const LayeredSolidView&,
+                                  double previous_step, ColumnReport&);
   // Writes the rows of the nodes inside a sphere of radius 1 about `centre`, in their order, and returns how many.
   int (*nodes_in_sphere)(const SolidFields<const Real>&, const ColumnNodes&, const std::array<double, 3>& centre,
                          int* found);
@@ -77,9 +89,9 @@ struct SolidKernel {
   // v += kick f/m, u += drift v for the nodes of a column that begins at `first`. Held directions are not kicked.
   void (*kick_and_drift)(const SolidFields<Real>&, long first, Rows rows, std::array<bool, 3> held, double kick,
                          double drift);
-  // Of the first `rows` elements of a column, in double.
+  // Of the first `rows` elements of a column, in double; elastic energy over what the initial stretch has stored.
   StoredEnergy (*stored_energy)(const SolidFields<const Real>&, const std::array<long, 4>& nodes, int rows,
-                                const BoxColumn&, const RowHeights<Real>&, const MaterialConstants&);
+                                const BoxColumn&, const RowHeights<Real>&, const LayeredSolidView&);
   int lanes;
 };
 

@@ -4,9 +4,13 @@
 namespace percal::PERCAL_LEVEL {
 
 template <class Real>
-constexpr SolidKernel<Real> table_of_solid_functions{
-    hex::internal_forces<Real>, hex::nodes_in_sphere<Real>, hex::nodes_in_polyhedron<Real>,
-    hex::kick_and_drift<Real>,  hex::stored_energy<Real>,   Lane<typename VectorOf<Real>::type>::count};
+constexpr SolidKernel<Real> table_of_solid_functions{hex::internal_forces<Real>,
+                                                     hex::internal_forces_layered<Real>,
+                                                     hex::nodes_in_sphere<Real>,
+                                                     hex::nodes_in_polyhedron<Real>,
+                                                     hex::kick_and_drift<Real>,
+                                                     hex::stored_energy<Real>,
+                                                     Lane<typename VectorOf<Real>::type>::count};
 
 extern const SolidKernel<float> single_solid_kernel;
 extern const SolidKernel<double> double_solid_kernel;

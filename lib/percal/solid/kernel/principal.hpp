@@ -33,6 +33,12 @@ PERCAL_INLINE Symmetric<V> less(const Symmetric<V>& a, V t) {
   return {a.xx - t, a.yy - t, a.zz - t, a.xy, a.xz, a.yz};
 }
 
+// a + t 1
+template <class V>
+PERCAL_INLINE Symmetric<V> plus(const Symmetric<V>& a, V t) {
+  return {a.xx + t, a.yy + t, a.zz + t, a.xy, a.xz, a.yz};
+}
+
 template <class V>
 PERCAL_INLINE V magnitude(V x) {
   return larger(x, -x);

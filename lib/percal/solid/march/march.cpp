@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
+#include "percal/impact/march/course.hpp"
 #include "percal/impact/march/layer_speeds.hpp"
 #include "percal/impact/march/recorder.hpp"
-#include "percal/impact/march/rest_watch.hpp"
 #include "percal/impact/settings.hpp"
 #include "percal/impact/target/constants.hpp"
 #include "percal/solid/march/contact_zone.hpp"
@@ -24,25 +24,25 @@ class SolidMarch {
   SolidMarch(const Problem& problem, FrameObserver* observer, int threads)
       : problem_(problem),
         limits_(step_limits(problem)),
-        material_(constants_of_layers(problem).front()),
         block_(problem, solid_kernel<Real>().lanes),
-        slabs_(block_, solid_kernel<Real>(), material_, threads),
+        solid_(solid_of_block(problem, block_.layers())),
+        slabs_(block_, solid_kernel<Real>(), solid_, threads),
         body_(problem),
         contact_(block_, solid_kernel<Real>(), body_),
         recorder_(problem.history_samples),
         layer_speeds_(problem),
-        observer_(observer),
-        erodes_(material_.erosion_stretch < no_erosion) {
+        course_(problem),
+        observer_(observer) {
+    torn_ = !take_initial_state(block_, solid_);
     impact_energy_ = body_.energy().kinetic;
     rows_moving_ = std::min(block_.grid().rows(), 2 * front_rows);
     result_.elements = block_.grid().elements();
-    result_.smallest_step = 1;
   }
 
   ImpactResult run() {
     for (;;) {
       find_forces();
-      if (has_ended() && !goes_on()) break;
+      if (course_.has_ended(sight()) && !goes_on()) break;
       choose_step();
       if (recorder_.is_due()) recorder_.keep(history_point());
       if (observer_ && observer_->is_due(moment())) observer_->see(frame());
@@ -51,7 +51,7 @@ class SolidMarch {
     }
     synchronise();
     close_the_books();
-    return at_deepest_ ? with_aftermath(std::move(*at_deepest_)) : std::move(result_);
+    return course_.finished(place());
   }
 
  private:
@@ -73,68 +73,33 @@ class SolidMarch {
 
   // What leaves with an element: docs/theory/impact.md, "Energy".
   void erode(int i, int j, int k) {
-    const ElementEnergy energy = element_energy(block_, material_, i, j, k, last_step_);
+    const ElementEnergy energy = element_energy(block_, solid_, i, j, k, last_step_);
     eroded_energy_ += energy.elastic + energy.hourglass + energy.last_work;
     ++result_.eroded;
-    if (block_.fields().alive[block_.at(i, j, k)] < -1) ++result_.distorted;
-    if (!erodes_) inside_out_ = true;
+    if (block_.fields().alive[block_.at(i, j, k)] < -1)
+      ++result_.distorted;
+    else if (solid_.erosion_kind == ErosionKind::several)
+      ++count_of(result_.eroded_by, leading_criterion(block_, solid_, i, j, k));
+    if (!solid_.erodes(k)) inside_out_ = true;
     block_.take_out(i, j, k);
   }
 
-  bool has_ended() {
-    if (!at_deepest_) result_.depth = std::max(result_.depth, body_.tip());
-    if (!std::isfinite(contact_.force()) || !std::isfinite(viscous_work_))
-      return end(Outcome::unstable, "a force is not finite");
-    if (inside_out_) return end(Outcome::unstable, "an element turned inside out");
-    if (inverse_step_ * limits_.first_step * collapsed_step > 1)
-      return end(Outcome::time_up, "the time step collapsed");
-    if (std::abs(body_.speed()) > 10 * problem_.speed_factor)
-      return end(Outcome::unstable, "the particle is ten times faster than at impact");
-    if (result_.steps >= most_steps) return end(Outcome::time_up, "");
-    if (at_deepest_) return rests_or_has_left() || (time_ >= problem_.end_time && end(Outcome::time_up, ""));
-    if (body_.speed() <= 0) return end(Outcome::stopped, "");
-    if (body_.tip() >= problem_.whole_depth()) return end(Outcome::passed_through, "");
-    if (time_ >= problem_.end_time) return end(Outcome::time_up, "");
-    return false;
+  Course::Sight sight() const {
+    std::string failure;
+    if (inside_out_) failure = "an element turned inside out";
+    if (torn_) failure = "the target's initial stretch alone reaches its limit of erosion";
+    return {place(), std::isfinite(contact_.force()) && std::isfinite(viscous_work_),
+            inverse_step_ * limits_.first_step, std::move(failure)};
   }
 
   bool goes_on() {
-    const bool passes = result_.outcome == Outcome::passed_through, rests = result_.outcome == Outcome::stopped;
-    if (at_deepest_ ||
-        !((problem_.until != RunUntil::deepest && passes) || (problem_.until == RunUntil::rest && rests)))
-      return false;
-    ImpactResult here = at_one_time([this] {
-      take_stock();
-      return result_;
+    return course_.goes_on([this] {
+      return std::pair(at_one_time([this] {
+                         take_stock();
+                         return result_;
+                       }),
+                       time_);
     });
-    if (here.outcome == Outcome::unstable) return false;
-    at_deepest_ = std::move(here);
-    rest_watch_.begin(time_, result_.depth, problem_.whole_depth());
-    if (passes && problem_.bottom == Bottom::fixed) ending_ = Ending::passed_through;
-    return !ending_;
-  }
-
-  bool rests_or_has_left() {
-    ending_ = rest_watch_.look(place());
-    if (problem_.until == RunUntil::passage && body_.speed() <= 0) ending_ = Ending::rests;
-    return ending_.has_value();
-  }
-
-  ImpactResult with_aftermath(ImpactResult deepest) const {
-    Ending ending = ending_.value_or(Ending::time_up);
-    if (result_.outcome == Outcome::unstable) ending = Ending::unstable;
-    deepest.aftermath = rest_watch_.aftermath(ending, place(), result_);
-    deepest.steps = result_.steps;
-    deepest.element_steps = result_.element_steps;
-    deepest.helper_cpu_seconds = result_.helper_cpu_seconds;
-    deepest.history = result_.history;
-    return deepest;
-  }
-
-  bool end(Outcome outcome, const std::string& reason) {
-    result_.outcome = outcome;
-    result_.reason = reason;
-    return true;
   }
 
   void choose_step() {
@@ -198,14 +163,14 @@ class SolidMarch {
   Moment moment() const { return {time_, body_.tip(), result_.steps}; }
   ParticlePlace place() const { return {time_, body_.tip(), body_.top(), body_.speed()}; }
   Frame frame_as_is(bool is_last) const {
-    return {moment(), is_last, cut_piece(block_, material_), body_.piece(problem_)};
+    return {moment(), is_last, cut_piece(block_, solid_), body_.piece(problem_)};
   }
   Frame frame() {
     return at_one_time([this] { return frame_as_is(false); });
   }
 
   EnergyLedger energy_shares(int rows) const {
-    EnergyLedger energy = stored_energy(block_, material_, rows);
+    EnergyLedger energy = stored_energy(block_, solid_, rows);
     energy.particle = body_.energy().kinetic;
     energy.viscosity = viscous_work_;
     energy.eroded = eroded_energy_;
@@ -222,8 +187,7 @@ class SolidMarch {
     result_.turn = body_.turn();
     result_.target_momentum = momentum(block_) * problem_.speed_factor * problem_.speed_factor / (2 * impact_energy_);
     result_.speeds_behind = layer_speeds_.at_the_end(time_, body_.speed());
-    const bool closes = std::abs(result_.energy.closure()) <= tolerated_energy_error;  // false for NaN
-    if (result_.outcome != Outcome::unstable && !closes) end(Outcome::unstable, "energy was not conserved");
+    course_.judge_energy();
   }
 
   void close_the_books() {
@@ -236,23 +200,21 @@ class SolidMarch {
 
   const Problem& problem_;
   const StepLimits limits_;
-  const MaterialConstants material_;
   SolidBlock<Real> block_;
+  const TargetSolid solid_;
   Slabs<Real> slabs_;
   Body body_;
   SpaceContact<Real, Body> contact_;
   Recorder recorder_;
   LayerSpeeds layer_speeds_;
-  RestWatch rest_watch_;
-  std::optional<ImpactResult> at_deepest_;  // where the run goes on past it
-  std::optional<Ending> ending_;            // then
-  FrameObserver* const observer_;           // null where nobody looks on
-  const bool erodes_;
-  ImpactResult result_;
+  Course course_;
+  ImpactResult& result_ = course_.result();
+  FrameObserver* const observer_;  // null where nobody looks on
   double time_ = 0, step_ = 0, last_step_ = 0, inverse_step_ = 0;
   double impact_energy_ = 0, viscous_work_ = 0, eroded_energy_ = 0;
   int rows_moving_ = 0;
   bool inside_out_ = false;  // an element that does not erode
+  bool torn_ = false;        // before the impact
 };
 
 template <class Real>

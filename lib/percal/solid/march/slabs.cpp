@@ -7,11 +7,11 @@
 namespace percal {
 
 template <class Real>
-Slabs<Real>::Slabs(SolidBlock<Real>& block, const SolidKernel<Real>& kernel, const MaterialConstants& material,
-                   int threads)
+Slabs<Real>::Slabs(SolidBlock<Real>& block, const SolidKernel<Real>& kernel, const TargetSolid& solid, int threads)
     : block_(block),
       kernel_(kernel),
-      material_(material),
+      solid_(solid),
+      view_(view_of(solid_)),
       team_(std::clamp(threads, 1, block.slabs())),
       benches_(team_.workers()),
       reports_(block.slabs()) {
@@ -55,8 +55,13 @@ void Slabs<Real>::slab(int i, bool first_of_worker, Bench& bench, int rows, doub
       forces.outer_next[d] = fields.f[d] + block_.column(i + 1, j + 1);
     }
     const int doomed = report.doomed;
-    kernel_.internal_forces(fields, block_.nodes_of(i, j), forces, {0, whole_groups(rows)}, block_.shape(i, j),
-                            block_.heights(), material_, last_step, report);
+    const Rows all{0, whole_groups(rows)};
+    if (solid_.is_plain())
+      kernel_.internal_forces(fields, block_.nodes_of(i, j), forces, all, block_.shape(i, j), block_.heights(),
+                              solid_.layers.front().material, last_step, report);
+    else
+      kernel_.internal_forces_layered(fields, block_.nodes_of(i, j), forces, all, block_.shape(i, j), block_.heights(),
+                                      view_, last_step, report);
     if (report.doomed > doomed) report.doomed_columns.push_back(j);
   }
   for (int d = 0; d < 3; ++d) {

@@ -5,6 +5,7 @@
 
 #include "percal/impact/march/team.hpp"
 #include "percal/solid/target/block.hpp"
+#include "percal/solid/target/solid_of.hpp"
 
 namespace percal {
 
@@ -15,7 +16,7 @@ struct SlabReport : ColumnReport {
 template <class Real>
 class Slabs {
  public:
-  Slabs(SolidBlock<Real>& block, const SolidKernel<Real>& kernel, const MaterialConstants& material, int threads);
+  Slabs(SolidBlock<Real>& block, const SolidKernel<Real>& kernel, const TargetSolid& solid, int threads);
 
   // Forces of all elements down to row `rows`; the reports of the slabs in their order.
   const std::vector<SlabReport>& find_forces(int rows, double last_step);
@@ -37,7 +38,8 @@ class Slabs {
 
   SolidBlock<Real>& block_;
   const SolidKernel<Real>& kernel_;
-  const MaterialConstants material_;
+  const TargetSolid solid_;
+  const LayeredSolidView view_;  // of solid_
   Team team_;
   std::vector<int> parts_;  // worker w takes the slabs from parts_[w] to parts_[w + 1]
   std::vector<Bench> benches_;

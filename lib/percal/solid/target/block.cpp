@@ -9,17 +9,20 @@
 
 #include "percal/impact/target/size.hpp"
 #include "percal/problem/domain.hpp"
+#include "percal/solid/target/solid_of.hpp"
 
 namespace percal {
 namespace {
 
-// Half the widths beside each plane of nodes: the lumped mass of a node is the product of three.
-std::vector<double> shares_of(const std::vector<double>& planes) {
+// Half the widths beside each plane of nodes: the lumped mass of a node is the product of three. density_of: of the cell behind plane i.
+template <class Density>
+std::vector<double> shares_of(const std::vector<double>& planes, const Density& density_of) {
   std::vector<double> shares(planes.size(), 0);
   for (std::size_t i = 0; i + 1 < planes.size(); ++i)
-    for (const std::size_t side : {i, i + 1}) shares[side] += 0.5 * (planes[i + 1] - planes[i]);
+    for (const std::size_t side : {i, i + 1}) shares[side] += 0.5 * density_of(i) * (planes[i + 1] - planes[i]);
   return shares;
 }
+double of_one(std::size_t) { return 1; }
 
 }  // namespace
 
@@ -31,9 +34,13 @@ void SolidBlock<Real>::Free::operator()(void* memory) const {
 template <class Real>
 SolidBlock<Real>::SolidBlock(const Problem& problem, int lanes)
     : grid_(box_grid(box_options(problem))),
-      share_x_(shares_of(grid_.x)),
-      share_y_(shares_of(grid_.y)),
-      share_z_(shares_of(grid_.z)) {
+      layers_(layers_of_block(problem, grid_.z)),
+      share_x_(shares_of(grid_.x, of_one)),
+      share_y_(shares_of(grid_.y, of_one)),
+      share_z_(shares_of(grid_.z, [this](std::size_t row) {
+        const auto own = [row](const LayerRows& layer) { return static_cast<int>(row) < layer.end; };
+        return std::ranges::find_if(layers_, own)->density;
+      })) {
   allocate(lanes);
   fill(problem);
 }
@@ -85,7 +92,6 @@ void SolidBlock<Real>::allocate(int lanes) {
 template <class Real>
 void SolidBlock<Real>::fill(const Problem& problem) {
   std::fill_n(fields_.jacobian, entries_, Real(1));
-  std::fill_n(fields_.erosion_measure, entries_, Real(1));
   live_elements_.assign(entries_, 0);
   const int end_x = grid_.columns_x(), end_y = grid_.columns_y(), end_z = grid_.rows();
   for (int i = 0; i < end_x; ++i)

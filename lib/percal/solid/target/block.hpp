@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "percal/impact/target/constants.hpp"
 #include "percal/mesh/box.hpp"
 #include "percal/problem/problem.hpp"
 #include "percal/solid/kernel/kernel.hpp"
@@ -21,6 +22,7 @@ class SolidBlock {
   const SolidFields<const Real>& fields() const { return look_; }
   const BoxGrid& grid() const { return grid_; }
   const RowHeights<Real>& heights() const { return heights_; }
+  const std::vector<LayerRows>& layers() const { return layers_; }
 
   int columns_y() const { return grid_.columns_y(); }
   int slabs() const { return grid_.columns_x(); }  // of elements, one for each i
@@ -54,8 +56,10 @@ class SolidBlock {
   void fill(const Problem& problem);
 
   BoxGrid grid_;
-  std::vector<double> share_x_, share_y_, share_z_;  // half the widths of the elements beside a plane of nodes
-  std::vector<std::uint8_t> live_elements_;          // of each node
+  std::vector<LayerRows> layers_;
+  // Half the widths of the elements beside a plane of nodes; of z times their densities.
+  std::vector<double> share_x_, share_y_, share_z_;
+  std::vector<std::uint8_t> live_elements_;  // of each node
   std::size_t entries_ = 0;
   std::unique_ptr<void, Free> memory_;
   SolidFields<Real> fields_;

@@ -11,7 +11,6 @@ namespace percal {
 namespace {
 
 using scalar::hex::Corners8;
-using scalar::hex::Deformation;
 using scalar::hex::Modes;
 using scalar::hex::Tensor;
 
@@ -49,21 +48,6 @@ Tensor<double> gradient_of(const std::array<Modes<double>, 3>& m, const Brick& b
           m[1].z * z,     m[2].x * x, m[2].y * y, m[2].z * z + 1};
 }
 
-scalar::hex::Symmetric<double> kirchhoff(const MaterialConstants& material, const Deformation<double>& d) {
-  const auto g = scalar::hex::powers_of(d.spectrum, d.mean, material.alpha);
-  auto tau =
-      scalar::hex::isochoric_kirchhoff(d.B, d.B2, d.trace_of_square, d.spectrum, g, 2 * material.mu / material.alpha);
-  const double pressure = scalar::kirchhoff_pressure(PressureLaw::log_quadratic, d.jacobian, material.bulk);
-  for (double* normal : {&tau.xx, &tau.yy, &tau.zz}) *normal += pressure;
-  return tau;
-}
-
-double energy_of(const MaterialConstants& material, const Deformation<double>& d) {
-  const auto g = scalar::hex::powers_of(d.spectrum, d.mean, material.alpha);
-  return 2 * material.mu / (material.alpha * material.alpha) * (g.sum() - 3) +
-         scalar::volumetric_energy(PressureLaw::log_quadratic, d.jacobian, material.bulk);
-}
-
 }  // namespace
 
 template <class Real>
@@ -71,21 +55,45 @@ Tensor<double> element_gradient(const SolidBlock<Real>& block, int i, int j, int
   return gradient_of(modes_at(block, block.fields().u, i, j, k), brick_at(block, i, j, k));
 }
 
-Tensor<double> first_piola(const MaterialConstants& material, const Tensor<double>& F) {
-  const auto d = scalar::hex::deformation_of(F);
-  return scalar::hex::first_piola(kirchhoff(material, d), d);
-}
-
-double energy_density(const MaterialConstants& material, const Tensor<double>& F) {
-  return energy_of(material, scalar::hex::deformation_of(F));
+template <class Real>
+Tensor<double> whole_gradient(const SolidBlock<Real>& block, const TargetSolid& solid, int i, int j, int k) {
+  const auto F = element_gradient(block, i, j, k);
+  const InitialStretch& initial = solid.of_row(k).initial;
+  const double x = initial.r, y = initial.hoop, z = initial.z;
+  return {F.xx * x, F.xy * y, F.xz * z, F.yx * x, F.yy * y, F.yz * z, F.zx * x, F.zy * y, F.zz * z};
 }
 
 template <class Real>
-ElementEnergy element_energy(const SolidBlock<Real>& block, const MaterialConstants& material, int i, int j, int k,
+Criterion leading_criterion(const SolidBlock<Real>& block, const TargetSolid& solid, int i, int j, int k) {
+  const auto shares = shares_of_limits(solid, k, whole_gradient(block, solid, i, j, k));
+  return static_cast<Criterion>(std::ranges::max_element(shares) - shares.begin());
+}
+
+template <class Real>
+bool take_initial_state(SolidBlock<Real>& block, const TargetSolid& solid) {
+  bool whole = true;
+  for (int k = 0; k < block.grid().rows(); ++k) {
+    const InitialStretch& initial = solid.of_row(k).initial;
+    const double measure = erosion_measure(solid, k, gradient_of_stretch(initial));
+    whole &= measure < limit_of(solid, k);
+    for (int i = 0; i < block.slabs(); ++i)
+      for (int j = 0; j < block.columns_y(); ++j) {
+        block.fields().jacobian[block.at(i, j, k)] = static_cast<Real>(initial.jacobian());
+        block.fields().erosion_measure[block.at(i, j, k)] = static_cast<Real>(measure);
+      }
+  }
+  return whole;
+}
+
+template <class Real>
+ElementEnergy element_energy(const SolidBlock<Real>& block, const TargetSolid& solid, int i, int j, int k,
                              double last_step) {
+  const MaterialConstants& material = solid.of_row(k);
   const Brick brick = brick_at(block, i, j, k);
   const auto u = modes_at(block, block.fields().u, i, j, k), v = modes_at(block, block.fields().v, i, j, k);
-  const auto F = gradient_of(u, brick);
+  const InitialStretch& initial = material.initial;
+  const double unstretched_volume = brick.volume / initial.jacobian();
+  const auto F = whole_gradient(block, solid, i, j, k);
   const auto P = first_piola(material, F);
   const auto spring =
       scalar::hex::hourglass_stiffness(material.hourglass * material.mu * brick.volume, brick.per_x * brick.per_x,
@@ -94,11 +102,14 @@ ElementEnergy element_energy(const SolidBlock<Real>& block, const MaterialConsta
     return spring.xy * a.xy * b.xy + spring.xz * a.xz * b.xz + spring.yz * a.yz * b.yz + spring.xyz * a.xyz * b.xyz;
   };
   const auto along = [&](const Modes<double>& m, double x, double y, double z) {
-    return (x * m.x * brick.per_x + y * m.y * brick.per_y + z * m.z * brick.per_z) / 4;
+    return (x * m.x * brick.per_x * initial.r + y * m.y * brick.per_y * initial.hoop +
+            z * m.z * brick.per_z * initial.z) /
+           4;
   };
-  ElementEnergy energy{.elastic = brick.volume * energy_density(material, F)};
-  double power =
-      -brick.volume * (along(v[0], P.xx, P.xy, P.xz) + along(v[1], P.yx, P.yy, P.yz) + along(v[2], P.zx, P.zy, P.zz));
+  ElementEnergy energy{.elastic = unstretched_volume * energy_density(material, F)};
+  if (!initial.is_none()) energy.elastic -= unstretched_volume * energy_density(material, gradient_of_stretch(initial));
+  double power = -unstretched_volume *
+                 (along(v[0], P.xx, P.xy, P.xz) + along(v[1], P.yx, P.yy, P.yz) + along(v[2], P.zx, P.zy, P.zz));
   for (int component = 0; component < 3; ++component) {
     energy.hourglass += 0.5 * sprung(u[component], u[component]);
     power -= sprung(u[component], v[component]);
@@ -108,7 +119,8 @@ ElementEnergy element_energy(const SolidBlock<Real>& block, const MaterialConsta
 }
 
 template <class Real>
-EnergyLedger stored_energy(const SolidBlock<Real>& block, const MaterialConstants& material, int rows) {
+EnergyLedger stored_energy(const SolidBlock<Real>& block, const TargetSolid& solid, int rows) {
+  const LayeredSolidView view = view_of(solid);
   EnergyLedger ledger;
   const auto& fields = block.fields();
   const auto& kernel = solid_kernel<Real>();
@@ -125,7 +137,7 @@ EnergyLedger stored_energy(const SolidBlock<Real>& block, const MaterialConstant
       ledger.freed_mass += freed;
       if (i == block.slabs() || j == block.columns_y()) continue;
       const StoredEnergy stored =
-          kernel.stored_energy(fields, block.nodes_of(i, j), rows, block.shape(i, j), block.heights(), material);
+          kernel.stored_energy(fields, block.nodes_of(i, j), rows, block.shape(i, j), block.heights(), view);
       ledger.elastic += stored.elastic;
       ledger.hourglass += stored.hourglass;
     }
@@ -143,7 +155,7 @@ double momentum(const SolidBlock<Real>& block) {
 }
 
 template <class Real>
-TargetPiece cut_piece(const SolidBlock<Real>& block, const MaterialConstants& material) {
+TargetPiece cut_piece(const SolidBlock<Real>& block, const TargetSolid& solid) {
   TargetPiece piece;
   const auto& grid = block.grid();
   const auto& fields = block.fields();
@@ -163,12 +175,15 @@ TargetPiece cut_piece(const SolidBlock<Real>& block, const MaterialConstants& ma
       piece.ends.push_back(static_cast<int>(piece.corners.size()));
       const bool eroded = !(fields.alive[block.at(i, 0, k)] > 0);
       piece.eroded.push_back(eroded ? 1 : 0);
-      piece.layer.push_back(0);
+      const auto own = [k](const LayerRows& layer) { return k < layer.end; };
+      piece.layer.push_back(static_cast<int>(std::ranges::find_if(block.layers(), own) - block.layers().begin()));
       piece.volume.push_back((grid.x[i + 1] - grid.x[i]) * (grid.z[k + 1] - grid.z[k]));
       CellState state;
       if (!eroded) {
-        const auto d = scalar::hex::deformation_of(element_gradient(block, i, 0, k));
-        const auto tau = kirchhoff(material, d);
+        const MaterialConstants& material = solid.of_row(k);
+        const auto F = whole_gradient(block, solid, i, 0, k);
+        const auto d = scalar::hex::deformation_of(F);
+        const auto tau = kirchhoff(material, F, d);
         Eigen::Matrix3d b;
         b << d.B.xx, d.B.xy, d.B.xz, d.B.xy, d.B.yy, d.B.yz, d.B.xz, d.B.yz, d.B.zz;
         const Eigen::Vector3d squares =
@@ -177,7 +192,7 @@ TargetPiece cut_piece(const SolidBlock<Real>& block, const MaterialConstants& ma
         // x, up, out of the plane, and the shear of the first two: z is downwards.
         state.stress = {tau.xx * d.inverse_jacobian, tau.zz * d.inverse_jacobian, tau.yy * d.inverse_jacobian,
                         -tau.xz * d.inverse_jacobian};
-        state.energy_density = energy_of(material, d);
+        state.energy_density = energy_density(material, F);
       }
       piece.states.push_back(state);
     }
@@ -186,13 +201,19 @@ TargetPiece cut_piece(const SolidBlock<Real>& block, const MaterialConstants& ma
 
 template Tensor<double> element_gradient(const SolidBlock<float>&, int, int, int);
 template Tensor<double> element_gradient(const SolidBlock<double>&, int, int, int);
-template ElementEnergy element_energy(const SolidBlock<float>&, const MaterialConstants&, int, int, int, double);
-template ElementEnergy element_energy(const SolidBlock<double>&, const MaterialConstants&, int, int, int, double);
-template EnergyLedger stored_energy(const SolidBlock<float>&, const MaterialConstants&, int);
-template EnergyLedger stored_energy(const SolidBlock<double>&, const MaterialConstants&, int);
+template ElementEnergy element_energy(const SolidBlock<float>&, const TargetSolid&, int, int, int, double);
+template ElementEnergy element_energy(const SolidBlock<double>&, const TargetSolid&, int, int, int, double);
+template EnergyLedger stored_energy(const SolidBlock<float>&, const TargetSolid&, int);
+template EnergyLedger stored_energy(const SolidBlock<double>&, const TargetSolid&, int);
+template Tensor<double> whole_gradient(const SolidBlock<float>&, const TargetSolid&, int, int, int);
+template Criterion leading_criterion(const SolidBlock<float>&, const TargetSolid&, int, int, int);
+template bool take_initial_state(SolidBlock<float>&, const TargetSolid&);
 template double momentum(const SolidBlock<float>&);
+template Tensor<double> whole_gradient(const SolidBlock<double>&, const TargetSolid&, int, int, int);
+template Criterion leading_criterion(const SolidBlock<double>&, const TargetSolid&, int, int, int);
+template bool take_initial_state(SolidBlock<double>&, const TargetSolid&);
 template double momentum(const SolidBlock<double>&);
-template TargetPiece cut_piece(const SolidBlock<float>&, const MaterialConstants&);
-template TargetPiece cut_piece(const SolidBlock<double>&, const MaterialConstants&);
+template TargetPiece cut_piece(const SolidBlock<float>&, const TargetSolid&);
+template TargetPiece cut_piece(const SolidBlock<double>&, const TargetSolid&);
 
 }  // namespace percal
