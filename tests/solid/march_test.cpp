@@ -117,6 +117,17 @@ TEST(SolidMarch, ASphereThatGrazesASoftTargetRicochets) {
   EXPECT_GT(result.sideways, result.depth);
 }
 
+TEST(SolidMarch, ARunIntoASideWallIsNoResult) {
+  Problem p = block_setting_s(3);
+  p.whole = true;
+  p.width = 2;
+  p.block.angle = 70 * std::numbers::pi / 180;
+  p.block.fine_depth = 0.5;
+  const ImpactResult result = run_solid(p);
+  EXPECT_EQ(result.outcome, Outcome::unstable);
+  EXPECT_NE(result.reason.find("side wall"), std::string::npos) << result.reason;
+}
+
 // Two layers of the same solid are one.
 TEST(SolidMarch, ALayerThatIsNoneChangesNothing) {
   Problem one = block_setting_s(), two = one;

@@ -1,5 +1,6 @@
 #include "percal/observe/page/impact_json.hpp"
 
+#include "percal/observe/block_reach.hpp"
 #include "percal/observe/history.hpp"
 #include "percal/observe/page/depth_error.hpp"
 #include "percal/observe/page/field_measures.hpp"
@@ -132,7 +133,8 @@ Json impact_to_json(const ImpactFindings& f) {
     left_out.push_back({{"what", omission.what}, {"why", omission.why}});
   const FieldMeasures measures = field_measures(f.runs, f.reduction.problem, f.reduction.scales);
   if (!f.runs.empty())
-    for (const auto& list : {warnings(f.penetration, f.runs), warnings(measures, f.runs)})
+    for (const auto& list :
+         {warnings(f.penetration, f.runs), warnings(measures, f.runs), warnings_of_reach(f.reduction.problem, f.runs)})
       for (const std::string& warning : list) sentences.push_back(warning);
   for (const std::string& note : f.evidence.notes) sentences.push_back(note);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});

@@ -87,9 +87,15 @@ class SolidMarch {
   Course::Sight sight() const {
     std::string failure;
     if (inside_out_) failure = "an element turned inside out";
+    if (is_beyond_a_wall()) failure = "the particle has gone into a side wall, which holds nothing that it could meet";
     if (torn_) failure = "the target's initial stretch alone reaches its limit of erosion";
     return {place(), std::isfinite(contact_.force()) && std::isfinite(viscous_work_),
             inverse_step_ * limits_.first_step, std::move(failure)};
+  }
+
+  bool is_beyond_a_wall() const {
+    const auto& x = block_.grid().x;
+    return body_.sideways() > x.back() || (problem_.whole && body_.sideways() < x.front());
   }
 
   bool goes_on() {
