@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "percal/problem/problem.hpp"
+#include "percal/scene/profile.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "scene/refusal.hpp"
 
@@ -15,20 +16,20 @@ namespace {
 using test::refusal;
 using testing::HasSubstr;
 
-const std::string target =
+const std::string target_lines =
     "[target]\ndensity = \"1 t/m3\"\nmu = \"1 MPa\"\nalpha = 9\ndepth = \"75 mm\"\nwidth = \"12 mm\"\n";
-const std::string sphere = "radius = \"1 mm\"\ndensity = \"7 t/m3\"\nspeed = \"50 m/s\"\n";
+const std::string ball_lines = "radius = \"1 mm\"\ndensity = \"7 t/m3\"\nspeed = \"50 m/s\"\n";
 const std::string prism =
     "shape = \"rhombus\"\nside = \"2 mm\"\ntip_angle = \"60 deg\"\nthickness = \"1 mm\"\nspeed = \"50 m/s\"\n";
 const std::string by_density = prism + "density = \"7 t/m3\"\n";
 
 std::string block(const std::string& particle, const std::string& rest = "") {
-  return "geometry = \"block\"\n[particle]\n" + particle + target + rest;
+  return "geometry = \"block\"\n[particle]\n" + particle + target_lines + rest;
 }
 Scene scene_of(const std::string& text) { return parse_scene(text, "scene.toml"); }
 
 TEST(BlockToml, ASphereHasSixCubesOnItsRadiusAndAQuarterIsComputed) {
-  const Scene scene = scene_of(block(sphere));
+  const Scene scene = scene_of(block(ball_lines));
   EXPECT_EQ(scene.mesh.elements_per_radius, 6);
   EXPECT_EQ(scene.solver.hourglass, 2);
   const Problem p = reduce(scene).problem;
@@ -59,7 +60,7 @@ TEST(BlockToml, MassAndThicknessMakeTheDensity) {
 }
 
 TEST(BlockToml, WhatComesAslantOrMayTurnNeedsHalfOfTheBlock) {
-  const Problem aslant = reduce(scene_of(block(sphere + "angle = \"30 deg\"\n"))).problem;
+  const Problem aslant = reduce(scene_of(block(ball_lines + "angle = \"30 deg\"\n"))).problem;
   EXPECT_TRUE(aslant.whole);
   EXPECT_NEAR(aslant.block.angle, std::numbers::pi / 6, 1e-11);
   EXPECT_TRUE(reduce(scene_of(block(by_density + "rotation = \"free\"\n"))).problem.whole);
@@ -68,7 +69,7 @@ TEST(BlockToml, WhatComesAslantOrMayTurnNeedsHalfOfTheBlock) {
 
 TEST(BlockToml, ASceneIsWrittenAsItIsRead) {
   for (const std::string& text :
-       {block(sphere + "angle = \"30 deg\"\n", "[mesh]\nfine_thickness = 1.5\nfine_depth = 20\ngrowth = 1.2\n"),
+       {block(ball_lines + "angle = \"30 deg\"\n", "[mesh]\nfine_thickness = 1.5\nfine_depth = 20\ngrowth = 1.2\n"),
         block(by_density + "rotation = \"free\"\n"), block(prism + "mass = \"1 g\"\n")}) {
     Scene scene = scene_of(text);
     Scene again = parse_scene(scene_to_toml(scene, ""), scene.source);
@@ -91,7 +92,7 @@ TEST(BlockToml, ItsLayersMayBeStretchedInTwoDirectionsAndHaveFamiliesOfFibres) {
       "1.05\n[below.fibres]\n" +
       woven;
   const Scene scene =
-      scene_of(block(sphere, "stretch = 1.1\nstretch_across = 1.02\n[target.fibres]\n" + woven + layer));
+      scene_of(block(ball_lines, "stretch = 1.1\nstretch_across = 1.02\n[target.fibres]\n" + woven + layer));
   const Fibres families = FibreFamilies{1e6, 2, 0.1, std::numbers::pi / 4};
   EXPECT_EQ(scene.target.fibres, families);
   EXPECT_EQ(scene.target.stretch_across, 1.02);
@@ -102,19 +103,19 @@ TEST(BlockToml, ItsLayersMayBeStretchedInTwoDirectionsAndHaveFamiliesOfFibres) {
   EXPECT_NEAR(std::get<FibreFamilies>(p.fibres).k1, 1e6 / (1000 * 50 * 50), 1e-9);
   EXPECT_EQ(p.stretch_across, 1.02);
   EXPECT_EQ(p.block.fine_depth, 85);
-  EXPECT_THAT(refusal("[particle]\n" + sphere + target + "[target.fibres]\n" + woven),
+  EXPECT_THAT(refusal("[particle]\n" + ball_lines + target_lines + "[target.fibres]\n" + woven),
               HasSubstr("target.fibres.angle: found this in a scene of two dimensions"));
-  EXPECT_THAT(refusal("[particle]\n" + sphere + target + "stretch_across = 1.1\n"),
+  EXPECT_THAT(refusal("[particle]\n" + ball_lines + target_lines + "stretch_across = 1.1\n"),
               HasSubstr("target.stretch_across: found this in a scene of two dimensions"));
 }
 
 TEST(BlockToml, KeysOfABlockAreRefusedElsewhere) {
-  const std::string flat = "[particle]\n" + sphere + target;
+  const std::string flat = "[particle]\n" + ball_lines + target_lines;
   EXPECT_THAT(refusal(flat + "[mesh]\nfine_depth = 3\n"),
               HasSubstr("mesh.fine_depth: found this in a scene of two dimensions"));
-  EXPECT_THAT(refusal("[particle]\n" + sphere + "angle = \"3 deg\"\n" + target),
+  EXPECT_THAT(refusal("[particle]\n" + ball_lines + "angle = \"3 deg\"\n" + target_lines),
               HasSubstr("particle.angle: found this in a scene of two dimensions"));
-  EXPECT_THAT(refusal(block(sphere, "[mesh]\ngraded_columns = 3\n")),
+  EXPECT_THAT(refusal(block(ball_lines, "[mesh]\ngraded_columns = 3\n")),
               HasSubstr("mesh.graded_columns: found this in geometry"));
 }
 
@@ -127,11 +128,11 @@ TEST(BlockToml, WhatABlockLacksIsRefusedByName) {
            {"[solver]\nvolumetric_law = \"quadratic\"\n", "solver.volumetric_law"},
            {"[solver]\neroded_nodes = \"in contact\"\n", "solver.eroded_nodes"},
            {"[output]\nchannel = true\n", "output.channel"}})
-    EXPECT_THAT(refusal(block(sphere, rest)), HasSubstr(key + ": found")) << rest;
-  EXPECT_THAT(refusal(block(sphere + "friction = 0.1\n")), HasSubstr("particle.friction: found friction"));
-  EXPECT_THAT(refusal(block("shape = \"cylinder\"\n" + sphere)), HasSubstr("\"cylinder\" in a block"));
-  EXPECT_THAT(refusal(block("shape = \"cone\"\ntip_angle = \"60 deg\"\n" + sphere)), HasSubstr("\"cone\" in a block"));
-  EXPECT_THAT(refusal(block(sphere + "thickness = \"1 mm\"\n")),
+    EXPECT_THAT(refusal(block(ball_lines, rest)), HasSubstr(key + ": found")) << rest;
+  EXPECT_THAT(refusal(block(ball_lines + "friction = 0.1\n")), HasSubstr("particle.friction: found friction"));
+  EXPECT_THAT(refusal(block("shape = \"cylinder\"\n" + ball_lines)), HasSubstr("\"cylinder\" in a block"));
+  EXPECT_THAT(refusal(block("shape = \"cone\"\ntip_angle = \"60 deg\"\n" + ball_lines)), HasSubstr("\"cone\" in a block"));
+  EXPECT_THAT(refusal(block(ball_lines + "thickness = \"1 mm\"\n")),
               HasSubstr("particle.thickness: found this beside shape"));
   EXPECT_THAT(refusal(block(by_density + "angle = \"30 deg\"\n")),
               HasSubstr("particle.angle: found this beside rotation"));
