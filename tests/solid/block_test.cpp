@@ -140,6 +140,19 @@ TEST(SolidBlock, AStretchedTargetIsInEquilibrium) {
   EXPECT_NEAR(loaded.stored(), 0, 1e-10);
 }
 
+// Half of the block: 4 to both sides, 4 to one.
+TEST(SolidBlock, WeighsWhatItsLayersWeigh) {
+  Problem p = small_block();
+  p.depth = 2;
+  p.below = {{.depth = 3, .density = 1.5, .mu = 2, .alpha = -3, .bulk_ratio = 50, .erosion_limit = INFINITY}};
+  const Loaded loaded(p);
+  double mass = 0;
+  for (int i = 0; i <= loaded.block.slabs(); ++i)
+    for (int j = 0; j <= loaded.block.columns_y(); ++j)
+      for (int k = 0; k <= loaded.block.grid().rows(); ++k) mass += loaded.block.mass(i, j, k);
+  EXPECT_NEAR(mass, 8 * 4 * (2 + 1.5 * 3), 1e-9);
+}
+
 // Of one-point bricks and lumped masses omega = (2 c/h) sin(k h/2), exactly.     docs/theory/solid.md (11)
 TEST(SolidBlock, PlaneWavesRunAtTheSpeedOfTheSolid) {
   Problem p = small_block();

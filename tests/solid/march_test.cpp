@@ -207,6 +207,13 @@ TEST(SolidMarch, APrismMakesADentToo) {
   EXPECT_LT(std::abs(result.energy.closure()), 0.01);
 }
 
+// Of the same mass and profile; gelatin goes round its ends.
+TEST(SolidMarch, AThinnerPrismGoesDeeper) {
+  Problem thin = cube();
+  std::get<RigidPolygon>(thin.particle).half_thickness = 0.4;
+  EXPECT_GT(run_solid(thin).depth, 1.2 * run_solid(cube()).depth);
+}
+
 TEST(SolidMarch, APrismThatIsFreeToTurnAndStandsStraightGoesStraight) {
   Problem free = cube();
   free.whole = true;
