@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
 #include "pages.hpp"
@@ -21,6 +22,7 @@
 #include "percal/page/html.hpp"
 #include "percal/page/text.hpp"
 #include "percal/powder/job.hpp"
+#include "percal/predict/predictor.hpp"
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/store/store.hpp"
@@ -31,14 +33,15 @@
 namespace percal {
 namespace {
 
-// A folder of its own, with the tables and the scene that the jobs of data/ name, in which the input is a file.
+// A folder of its own, with the tables and scenes that the jobs of data/ and of percal new name, in which the input is a file.
 const std::string& folder() {
   static const std::string& place = *new std::string([] {  // outlives what atexit does
     std::string name = std::filesystem::temp_directory_path() / "percal_fuzz_XXXXXX";
     if (!mkdtemp(name.data())) std::abort();
-    for (const char* tables : {"guha2009", "synthetic"})
-      for (const auto& entry : std::filesystem::directory_iterator(std::string(PERCAL_DATA "/") + tables))
-        if (entry.path().extension() == ".csv" || entry.path().filename() == "gold.toml")
+    for (const char* tables : {PERCAL_DATA "/guha2009", PERCAL_DATA "/synthetic", PERCAL_TEMPLATES})
+      for (const auto& entry : std::filesystem::directory_iterator(tables))
+        if (const auto file = entry.path().filename();
+            file.extension() == ".csv" || file == "gold.toml" || file == "campaign_scene.toml")
           std::filesystem::copy(entry, name);
     std::atexit([] { std::filesystem::remove_all(folder()); });
     return name;
@@ -75,6 +78,33 @@ void read_plan_and_scenes(const std::string& input) {
   for (std::size_t k = 0; k < std::min<std::size_t>(plan.points.size(), 4); ++k) scene_at(plan, k);
 }
 
+void read_points_of_plan(const std::string& input) {
+  as_file(input, "points.csv");
+  read_plan_and_scenes("scene = \"gold.toml\"\nlist = \"points.csv\"\n");
+}
+
+// The input as the table of sizes by mass, and as that of speeds by size.
+void read_tables_of_powder(const std::string& input) {
+  as_file(input, "table.csv");
+  const std::string gold = "calibration = \"skin.out\"\n[powder]\ndensity = \"19300 kg/m3\"\n";
+  for (const char* rest : {"speed = \"600 m/s\"\n[powder.radius]\nfile = \"table.csv\"\nweighting = \"mass\"\n",
+                           "radius = \"1 um\"\n[powder.speed]\nby_size = \"table.csv\"\n"})
+    try {
+      read_powder_job(as_file(gold + rest, "powder.toml"));
+    } catch (const BadInput&) {
+    }
+}
+
+// What a calibration keeps, and a shot by each of its hypotheses.
+void predict_by(const std::string& input) {
+  const std::string file = as_file(input, "result.json");
+  const ShotModel model = kept_shot_model(tools::read_json_result(file).json, file);
+  const FiredShot& fired = model.shots.front();
+  const SphereShot shot = fired;
+  for (std::size_t k = 0; k < model.hypotheses.size(); ++k)
+    Predictor(model, static_cast<int>(k), fired.material, model.level).depths(std::span(&shot, 1), 0);
+}
+
 void read_quantity(const std::string& input) {
   try {
     parse_quantity(input);
@@ -89,7 +119,10 @@ const std::map<std::string, Reader> readers{
     {"identify", [](const std::string& input) { read_identify_job(as_file(input, "identify.toml")); }},
     {"calibrate", [](const std::string& input) { read_calibration_job(as_file(input, "calibrate.toml")); }},
     {"campaign", read_plan_and_scenes},
+    {"points", read_points_of_plan},
     {"dose", [](const std::string& input) { read_powder_job(as_file(input, "powder.toml")); }},
+    {"powder", read_tables_of_powder},
+    {"model", predict_by},
     {"csv", [](const std::string& input) { read_csv(as_file(input, "table.csv")); }},
     {"curves", [](const std::string& input) { read_curves({as_file(input, "curve.csv")}, {.mode = "uniaxial"}); }},
     {"quantity", read_quantity},

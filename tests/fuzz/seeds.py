@@ -1,4 +1,5 @@
 """Seeds for fuzz_readers: files of data/ and what the program writes.    seeds.py SOURCE PROGRAM FOLDER"""
+import json
 import pathlib
 import shutil
 import subprocess
@@ -8,6 +9,8 @@ import tempfile
 source, program, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
 JOBS = {"scene": ["gold.toml", "steel.toml", "rhombus.toml", "skin_layers.toml", "gold_length.toml"], "scale": ["similar.toml"], "identify": ["skin.toml"],
         "calibrate": ["skin_consistent.toml", "gelatin_length.toml"], "campaign": ["gold_sweep.toml"], "dose": ["gold_dose.toml"]}
+# What percal new writes, and the reader of it.
+TEMPLATES = {"scene": "scene", "scale": "scale", "identify": "identify", "calibrate": "calibrate", "campaign": "campaign", "dose": "dose", "design": "dose"}
 QUANTITIES = ["1 kPa", "2.3e-3 kg/m3", "5 um", "1/s", "3 m/s", "10 %", "7"]
 SOLVERS = ["lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"]
 
@@ -29,6 +32,12 @@ seed("calibrate", "joint.toml", (source / "data/synthetic/joint.toml").read_byte
 for table in [*source.glob("data/*/*.csv")]:
     for reader in ("csv", "curves"):
         seed(reader, table.name, table.read_bytes()[:4000])
+for table in [*source.glob("tools/templates/*.csv"), source / "data/guha2009/gold_skin.csv"]:
+    for reader in ("points", "powder"):
+        seed(reader, table.name, table.read_bytes())
+for variant in [*source.glob("tools/templates/variants/*.toml")]:
+    reader = variant.stem.split("_")[0]
+    seed(reader, variant.name, variant.read_text().replace("STEM", reader).encode())
 for k, quantity in enumerate(QUANTITIES):
     seed("quantity", str(k), quantity.encode())
 with tempfile.TemporaryDirectory() as name:
@@ -40,6 +49,22 @@ with tempfile.TemporaryDirectory() as name:
     for solver in SOLVERS:
         run("card", "write", "fit/result.json", "--solver", solver, "--density", "1000 kg/m3", "--nu", "0.495", "--units", "mm-t-s-MPa", "--file", "card")
         seed(solver, "card", (work / "card").read_bytes())
+    for kind, reader in TEMPLATES.items():
+        run("new", kind, "-o", kind + ".toml")
+        seed(reader, f"new_{kind}.toml", (work / (kind + ".toml")).read_bytes())
+    # A small part of what a calibration keeps, in the program's schema of today.
+    model = {"schema": json.loads((work / "scale/result.json").read_text())["schema"], **json.loads((source / "tests/fuzz/shot_model.json").read_text())}
+    (work / "skin.json").write_text(json.dumps(model))
+    seed("model", "skin.json", (work / "skin.json").read_bytes())
+    for kind in ("dose", "design"):
+        job = (work / (kind + ".toml")).read_text().replace("skin.out", "skin.json").replace("[design]", "[design]\nmap = 5")
+        (work / (kind + ".toml")).write_text(job)
+        run(kind, kind + ".toml", "--out", kind)
+        seed("result", kind + ".json", (work / kind / "result.json").read_bytes())
     shutil.copy(source / "tests/data/layer.toml", work)
-    run("impact", "layer.toml", "--elements-per-radius", "3", "--replicates", "1", "--store", "made.store", "--out", "none")
+    run("impact", "layer.toml", "--elements-per-radius", "3", "--replicates", "1", "--store", "made.store", "--out", "impact")
+    (work / "sweep.toml").write_text('scene = "layer.toml"\nreplicates = 1\n[[sweep]]\nkey = "mesh.elements_per_radius"\nvalues = [3, 3.5]\n')
+    run("campaign", "sweep.toml", "--store", "made.store", "--out", "campaign")
+    for result in ("impact", "campaign"):
+        seed("result", result + ".json", (work / result / "result.json").read_bytes())
     seed("store", "one", (work / "made.store").read_bytes())

@@ -45,6 +45,9 @@ TEST(ShotModels, OfOtherResultsAreRefused) {
   };
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["runs"][0].erase(0); }), "f"), page::MissingKey);
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["shots"][0]["material"] = 7; }), "f"), page::MissingKey);
+  for (const double material : {-1.0, 1e300})
+    EXPECT_THROW(shot_model_of(broken([=](Json& m) { m["shots"][0]["material"] = material; }), "f"), page::MissingKey);
+  EXPECT_THROW(shot_model_of(broken([](Json& m) { m["replicates"] = 1e300; }), "f"), page::MissingKey);
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["shots"] = Json::array(); }), "f"), page::MissingKey);
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["hypotheses"][0]["materials"][0]["points"][0][0] = -1; }), "f"),
                page::MissingKey);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "percal/base/error.hpp"
 
@@ -35,6 +36,13 @@ double wanted(const Json& object, const std::string& key) {
   const auto value = page::number(object, key);
   if (!value) throw page::MissingKey(key);
   return *value;
+}
+
+// Not below zero, and an int holds it.
+int whole(const Json& object, const std::string& key) {
+  const double value = wanted(object, key);
+  if (!(value >= 0 && value <= std::numeric_limits<int>::max())) throw page::MissingKey(key);
+  return static_cast<int>(value);
 }
 
 // Of the inputs that are not left out.
@@ -72,7 +80,7 @@ EmulatorSettings settings_of(const Json& json) {
           .noise = wanted(json, "noise"),
           .noise_order = wanted(json, "noise_order"),
           .log_likelihood = wanted(json, "log_likelihood"),
-          .evaluations = static_cast<int>(wanted(json, "likelihood_evaluations"))};
+          .evaluations = whole(json, "likelihood_evaluations")};
 }
 
 // The inputs of a run under so many covers.
@@ -244,8 +252,7 @@ Json shot_to_json(const FiredShot& shot) {
 FiredShot shot_of(const Json& json, std::size_t materials) {
   FiredShot shot;
   shot.label = page::text(json, "label");
-  const double material = wanted(json, "material");
-  shot.material = static_cast<int>(material);
+  shot.material = whole(json, "material");
   shot.radius = wanted(json, "radius_m");
   shot.density = wanted(json, "density_kg_m3");
   shot.speed = wanted(json, "speed_m_s");
@@ -257,7 +264,7 @@ FiredShot shot_of(const Json& json, std::size_t materials) {
   for (const double positive :
        {shot.radius, shot.density, shot.speed, shot.layer_depth, shot.layer_width, shot.depth.value_or(1)})
     if (!(positive > 0)) throw page::MissingKey("shots");
-  if (!(material >= 0 && material < static_cast<double>(materials))) throw page::MissingKey("material");
+  if (static_cast<std::size_t>(shot.material) >= materials) throw page::MissingKey("material");
   return shot;
 }
 
@@ -315,7 +322,7 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   ShotModel model{.level = wanted(json, "level"),
                   .elements = wanted(json, "elements"),
                   .passage = page::yes(json, "passage"),
-                  .replicates = static_cast<int>(wanted(json, "replicates")),
+                  .replicates = whole(json, "replicates"),
                   .scene = page::text(json, "scene_of_runs"),
                   .shots = {},
                   .runs = {},
