@@ -193,12 +193,12 @@ def refined(program, prism, strains):
     return [prism.name, prism.fitted, depth_text(six), depth_text(twelve), f"{own:g}", f"{twelve.cpu():.0f}"]
 
 
-def fitted(program, prism):
+def fitted(program, prism, balls_strain):
     """The erosion strain fitted to one shot, by bisection on single runs, and the other shots with it."""
     first = HYPOTHESES[0]
     shot = next(s for s in prism.shots if s["velocity_m_s"] == prism.fitted)
-    low, high, best = 0.1, 1.0, None
-    while high - low > 0.01:
+    low, high, best = 0.6 * balls_strain, 1.3 * balls_strain, None
+    while high - low > 0.03 * balls_strain:
         strain = round((low + high) / 2, 4)
         result = program.impact(prism_scene(prism, first, strain, speed=f'"{prism.fitted} m/s"'), *ONE)
         off = abs(deviation(result, shot["penetration_cm"]))
@@ -217,7 +217,7 @@ def page(program):
     dents, sphere, aslant = dent(program), eroding_sphere(program), oblique(program)
     tables = {p.name: transferred(program, p, strains[p.name]) for p in both}
     finer = [refined(program, p, strains[p.name]) for p in both]
-    fits = [fitted(program, p) for p in both]
+    fits = [fitted(program, p, strains[p.name][HYPOTHESES[0].name]) for p in both]
     return f"""# Three dimensions
 
 Written by `docs/verification/make_three_dimensions.py` from `percal impact` ({program.machine()}, one thread a run), from `data/guha2009/rhombus_block.toml` and `square_block.toml`. What is solved:
