@@ -185,14 +185,6 @@ with six cubes on half the thickness, {sum(r.cpu() for r in variants[2][1]) / le
 """
 
 
-def refined(program, prism, strains):
-    """A shot on twice as many cubes, with the strain of their own size."""
-    first = HYPOTHESES[0]
-    own, _ = strain_at(program, first, prism.half_thickness / 12)
-    six, twelve = (program.impact(prism_scene(prism, first, strain, on_half_thickness=n, speed=f'"{prism.fitted} m/s"'), *ONE) for n, strain in ((6, strains[first.name]), (12, own)))
-    return [prism.name, prism.fitted, depth_text(six), depth_text(twelve), f"{own:g}", f"{twelve.cpu():.0f}"]
-
-
 def fitted(program, prism, balls_strain):
     """The erosion strain fitted to one shot, by bisection on single runs, and the other shots with it."""
     first = HYPOTHESES[0]
@@ -216,7 +208,6 @@ def page(program):
     balls = [[h.name, f"{h.mu:g}", f"{h.alpha:g}", f"{h.strain:g}", depth_text(strain_at(program, h, both[0].half_thickness / 6)[1]), *(f"{strains[p.name][h.name]:g}" for p in both)] for h in HYPOTHESES]
     dents, sphere, aslant = dent(program), eroding_sphere(program), oblique(program)
     tables = {p.name: transferred(program, p, strains[p.name]) for p in both}
-    finer = [refined(program, p, strains[p.name]) for p in both]
     fits = [fitted(program, p, strains[p.name][HYPOTHESES[0].name]) for p in both]
     return f"""# Three dimensions
 
@@ -256,12 +247,6 @@ Steel prisms into 12 wt% gelatin, in the mould (wall at 37.5 mm, 100 mm deep, bo
 ### Square, corner first (Table 5-2), cm
 
 {tables["square"]}
-### Twice as many cubes, cm
-
-Hypothesis "{HYPOTHESES[0].name}", each size of cube with its own strain; one run each.
-
-{table(["prism", "m/s", "6 cubes", "12 cubes", "their strain", "CPU s"], finer)}
-
 ### The erosion strain fitted to one shot, as the thesis did
 
 Hypothesis "{HYPOTHESES[0].name}", six cubes, one run each; the shot of 40 m/s (rhombus) and 50 m/s (square) fitted. Depths of the six shots in cm, and the mean deviation of the other five.

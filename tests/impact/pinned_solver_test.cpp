@@ -51,7 +51,7 @@ const std::map<std::string, Bits> pinned_bits{
       "d3a4f180424b3786", "a4fde2607f98565a", "c73920c912ffd273", "43c3d3e8706afd45"}},
     {"x86_64_v4",
      {"850eb72640defa90", "0000dae709f0c5da", "49cc792f148958f4", "055fb7f870f271d5", "597b30b79175bcdf",
-      "8c07a86d5feb1df5", "ac88895fa30870de", "8c5a6aa84cbe47e4", "b20e35d19ebf0de8"}},
+      "8c07a86d5feb1df5", "ac88895fa30870de", "ef79341fc3f7bf72", "7a4fe989a2792d5d"}},
 };
 
 struct PinnedRun {

@@ -55,6 +55,22 @@ TEST(SolidMarch, AnErodingRunKeepsItsEnergy) {
   EXPECT_LT(std::abs(result.energy.closure()), 0.01);
 }
 
+// Freed nodes fly far, and what is left of elements around them must not be heard of again: this run once ended with no energy.
+TEST(SolidMarch, NodesThatFlyFarDoNoHarm) {
+  Problem p = block_setting_s(8);
+  p.pi4 = 8.044;
+  p.alpha = 16;
+  p.bulk_ratio = 90;
+  p.erosion = StrainErosion{0.5219};
+  p.particle = RigidPolygon{
+      .vertices = {{0, -1.732}, {1, 0}, {0, 1.732}, {-1, 0}}, .mass = 25.8, .inertia = 20, .half_thickness = 0.517};
+  p.width = 12.5, p.depth = 33.3, p.block.fine_depth = 14;
+  p.fine_width = 1.15, p.block.fine_thickness = 0.667;
+  const ImpactResult result = run_solid(p);
+  EXPECT_EQ(result.outcome, Outcome::stopped) << result.reason;
+  EXPECT_LT(std::abs(result.energy.closure()), 0.01);
+}
+
 // So wide and deep that in this time no wave comes near wall or bottom: the fastest runs 2.8 radii.
 Problem unbounded() {
   Problem p = block_dent(4);

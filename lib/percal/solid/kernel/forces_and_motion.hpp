@@ -15,6 +15,15 @@ PERCAL_INLINE Tensor<V> gradient_of(const Modes<V>& x, const Modes<V>& y, const 
           y.z * per_z,           z.x * per_x, z.y * per_y, z.z * per_z + Real(1)};
 }
 
+// Elements that are gone are computed as undeformed: their nodes may be anywhere, and no number times nothing is nothing.
+template <class V, class Mask>
+PERCAL_INLINE Tensor<V> where(Mask live, const Tensor<V>& F) {
+  const V zero{}, one = broadcast<V>(RealOf<V>(1));
+  return {select(live, F.xx, one),  select(live, F.xy, zero), select(live, F.xz, zero),
+          select(live, F.yx, zero), select(live, F.yy, one),  select(live, F.yz, zero),
+          select(live, F.zx, zero), select(live, F.zy, zero), select(live, F.zz, one)};
+}
+
 // The walk down one column of elements. What they are made of answers through `solid`: UniformBrick or LayeredBrick.
 template <class Real, class Solid>
 class ColumnWalk {
@@ -77,6 +86,7 @@ class ColumnWalk {
     const Real quarter_x = Real(0.25) * per_x_, quarter_y = Real(0.25) * per_y_;
     const V quarter_z = Real(0.25) * per_z;
     Tensor<V> F = hex::gradient_of(x, y, z, quarter_x, quarter_y, quarter_z);
+    F = where(live, F);
     solid_.add_initial_stretch(F);
 
     // Compute.
