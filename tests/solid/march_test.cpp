@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "percal/scene/scene_toml.hpp"
 #include "percal/solid/march/march.hpp"
 #include "solid/solid_problems.hpp"
 
@@ -57,16 +58,12 @@ TEST(SolidMarch, AnErodingRunKeepsItsEnergy) {
 
 // Freed nodes fly far, and what is left of elements around them must not be heard of again: this run once ended with no energy.
 TEST(SolidMarch, NodesThatFlyFarDoNoHarm) {
-  Problem p = block_setting_s(8);
-  p.pi4 = 8.044;
-  p.alpha = 16;
-  p.bulk_ratio = 90;
-  p.erosion = StrainErosion{0.5219};
-  p.particle = RigidPolygon{
-      .vertices = {{0, -1.732}, {1, 0}, {0, 1.732}, {-1, 0}}, .mass = 25.8, .inertia = 20, .half_thickness = 0.517};
-  p.width = 12.5, p.depth = 33.3, p.block.fine_depth = 14;
-  p.fine_width = 1.15, p.block.fine_thickness = 0.667;
-  const ImpactResult result = run_solid(p);
+  Scene scene = read_scene(PERCAL_DATA "/guha2009/rhombus_block.toml");
+  scene.particle.speed = 33;
+  scene.target.convention = ModulusConvention::true_shear;
+  scene.target.alpha = 16;
+  scene.target.erosion = StrainErosion{0.5219};
+  const ImpactResult result = run_solid(reduce(scene).problem);
   EXPECT_EQ(result.outcome, Outcome::stopped) << result.reason;
   EXPECT_LT(std::abs(result.energy.closure()), 0.01);
 }
