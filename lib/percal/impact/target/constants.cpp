@@ -154,9 +154,10 @@ std::vector<MaterialConstants> constants_of_layers(const Problem& p) {
       c.fibres = {fibres->k1, fibres->k2, fibres->kappa};
     if (const auto* fibres = std::get_if<FibreFamilies>(&layer.fibres))
       c.fibres = {fibres->k1, fibres->k2, fibres->kappa, true, fibres->angle};
-    c.initial =
-        initial_stretch(layer.stretch, p.geometry,
-                        {{layer.mu * lasting, layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
+    if (p.geometry != Geometry::block)  // whose stretch of two directions is solid_of_block()'s
+      c.initial =
+          initial_stretch(layer.stretch, p.geometry,
+                          {{layer.mu * lasting, layer.bulk, layer.alpha, pressure_law_of(p.volumetric_law)}, c.fibres});
     if (layer.erodes()) {
       c.smallest_jacobian = distorted_jacobian;
       c.largest_inverse_step =
@@ -207,6 +208,14 @@ bool TargetSolid::erodes(int row) const {
   if (erosion_kind == ErosionKind::several)
     return std::min({material.erosion_stretch, material.stress_limit, material.energy_limit}) < no_erosion;
   return (erosion_kind == ErosionKind::stretch ? material.erosion_stretch : material.erosion_limit) < no_erosion;
+}
+
+double TargetSolid::limit_of(const MaterialConstants& material) const {
+  switch (erosion_kind) {
+    case ErosionKind::several: return 1;
+    case ErosionKind::stretch: return material.erosion_stretch * material.erosion_stretch;
+    default: return material.erosion_limit;
+  }
 }
 
 double TargetSolid::lasting_share() const {

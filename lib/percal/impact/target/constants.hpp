@@ -31,6 +31,7 @@ struct TargetSolid {
   const MaterialConstants& of_row(int row) const;
   bool erodes(int row) const;
   double lasting_share() const;  // of mu, when all has relaxed
+  double limit_of(const MaterialConstants& material) const;  // of what erosion is judged by
 
   // What the kernel takes; holds while this object and the block stay where they are.
   template <class Real>

@@ -12,14 +12,6 @@ namespace {
 // Of the face's stress; between them is every solid's root.
 constexpr double least_log_thickness = -4, most_log_thickness = 4;
 
-double limit_of(const TargetSolid& solid, const MaterialConstants& material) {
-  switch (solid.erosion_kind) {
-    case ErosionKind::several: return 1;
-    case ErosionKind::stretch: return material.erosion_stretch * material.erosion_stretch;
-    default: return material.erosion_limit;
-  }
-}
-
 template <class Real>
 void set(const TensorField<Real>& field, long n, const scalar::Symmetric<double>& a) {
   field.rr[n] = static_cast<Real>(a.rr);
@@ -53,10 +45,11 @@ bool take_initial_state(Block<Real>& block, const TargetSolid& solid) {
   for (int j = 0; j < block.mesh().rows; ++j) {
     const MaterialConstants& material = solid.of_row(j);
     const double measure = erosion_measure(block, solid, 0, j);
-    whole &= measure < limit_of(solid, material);
+    whole &= measure < solid.limit_of(material);
     const auto F = gradient_of(material.initial);
     const auto s = scalar::stretches(F);
-    const auto t = scalar::isochoric_stress(scalar::isochoric_powers(F, s, material.alpha), 2 * material.mu / material.alpha);
+    const auto t =
+        scalar::isochoric_stress(scalar::isochoric_powers(F, s, material.alpha), 2 * material.mu / material.alpha);
     for (int i = 0; i < block.mesh().columns(); ++i) {
       const long n = block.at(i, j);
       view.jacobian[n] = static_cast<Real>(material.initial.jacobian());

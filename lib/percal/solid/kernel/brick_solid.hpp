@@ -220,8 +220,12 @@ class LayeredBrick {
   }
   // All lanes alike until the layer's last whole group; a group that holds the end of a layer takes each lane's own.
   void take_constants(int row) {
+    const SolidLayer* known = nullptr;
+    LayeredConstants<Real> own;
     for (int l = 0; l < lanes; ++l) {
-      const auto own = layered_constants<Real>(layer_of(row + l).material, view_.erosion_kind);
+      const SolidLayer& of_lane = layer_of(row + l);
+      if (&of_lane != known) own = layered_constants<Real>(of_lane.material, view_.erosion_kind);
+      known = &of_lane;
       each_constant(constants_, own, [l](V& all, Real one) { all[l] = one; });
     }
     const SolidLayer& layer = layer_of(row);

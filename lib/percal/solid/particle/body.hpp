@@ -102,7 +102,6 @@ class BodyRun : public NeverDeforms {
   double tip() const { return here_.z + here_.shape.lowest(); }
   double top() const { return here_.z + here_.shape.highest(); }
   double speed() const { return motion_.down; }
-  double sideways_speed() const { return motion_.right; }
   double sideways() const { return here_.x; }
   double turn() const { return here_.angle; }
   double reach() const { return here_.shape.reach(); }

@@ -75,7 +75,7 @@ bool take_initial_state(SolidBlock<Real>& block, const TargetSolid& solid) {
   for (int k = 0; k < block.grid().rows(); ++k) {
     const InitialStretch& initial = solid.of_row(k).initial;
     const double measure = erosion_measure(solid, k, gradient_of_stretch(initial));
-    whole &= measure < limit_of(solid, k);
+    whole &= measure < solid.limit_of(solid.of_row(k));
     for (int i = 0; i < block.slabs(); ++i)
       for (int j = 0; j < block.columns_y(); ++j) {
         block.fields().jacobian[block.at(i, j, k)] = static_cast<Real>(initial.jacobian());

@@ -122,13 +122,4 @@ Tensor<double> gradient_of_stretch(const InitialStretch& initial) {
   return {initial.r, 0, 0, 0, initial.hoop, 0, 0, 0, initial.z};
 }
 
-double limit_of(const TargetSolid& solid, int row) {
-  const MaterialConstants& material = solid.of_row(row);
-  switch (solid.erosion_kind) {
-    case ErosionKind::several: return 1;
-    case ErosionKind::stretch: return material.erosion_stretch * material.erosion_stretch;
-    default: return material.erosion_limit;
-  }
-}
-
 }  // namespace percal

@@ -24,6 +24,5 @@ double erosion_measure(const TargetSolid&, int row, const scalar::hex::Tensor<do
 std::array<double, 3> shares_of_limits(const TargetSolid&, int row, const scalar::hex::Tensor<double>& F);
 
 scalar::hex::Tensor<double> gradient_of_stretch(const InitialStretch& initial);  // r is x, hoop is y
-double limit_of(const TargetSolid& solid, int row);                              // of erosion_measure()
 
 }  // namespace percal
