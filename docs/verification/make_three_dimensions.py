@@ -1,4 +1,4 @@
-"""Writes docs/verification/three_dimensions.md from runs of the program (about an hour of processor time, nothing when the store has them):
+"""Writes docs/verification/three_dimensions.md and its figure from runs of the program (about two hours of processor time, nothing when the store has them; needs gnuplot):
 
     python3 docs/verification/make_three_dimensions.py build/release/percal
 
@@ -7,7 +7,7 @@ Options: --store FILE for the evaluations (default: the program's own), --page F
 import math
 from dataclasses import dataclass
 
-from harness import THESIS, Store, command_line, in_percent, mean_size, number, replicates, rows_of, table, with_numbers, write_page
+from harness import THESIS, Store, changed, command_line, data_block, draw, figures_of, in_percent, mean_size, number, percent, replicates, rows_of, table, with_numbers, write_page
 from prism_scenes import cm, depth_text, with_keys
 
 ONE, THREE, FIVE = replicates(1), replicates(3), replicates(5)
@@ -24,6 +24,7 @@ class Hypothesis:
 
 HYPOTHESES = (Hypothesis("mu held at 113 kPa, as MU1", 837, 14.8, 0.299), Hypothesis("mu free", 1110, 13, 0.279), Hypothesis("mu held at the curve's 113 kPa", 113, 16, 0.537))
 BALL, BALL_ELEMENTS = 1.59, 8  # mm; on the radius
+BALL_OF_MASS = 2.78            # mm: of 0.7027 g
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,10 @@ elements_per_radius = {elements}
 
 
 def strain_at(program, hypothesis, element):
+    return strain_and_ball(program, hypothesis, element)[0]
+
+
+def strain_and_ball(program, hypothesis, element):
     """Of elements of this side, mm: a straight line through ln depth over ln strain of five trials, as `percal card export --element-size` has it."""
     own = program.impact(ball(hypothesis, BALL_ELEMENTS, hypothesis.strain), *FIVE)
     factors = (0.8, 0.9, 1.0, 1.1, 1.25)
@@ -160,6 +165,14 @@ def means(prism, results, but=None):
     return tuple(mean_size([deviation(r, shot[column]) for shot, r in kept]) for column in ("penetration_cm", "fe_cm"))
 
 
+def twice_as_many_cubes(program, prism, speeds):
+    """The slowest, the middle and the fastest shot, by speed, with the erosion strain converted to cubes of half the side."""
+    strain = strain_at(program, HYPOTHESES[0], prism.half_thickness / 12)
+    chosen = (speeds[0], prism.fitted, speeds[-1])
+    found = program.impacts([prism_scene(prism, HYPOTHESES[0], strain, on_half_thickness=12, speed=f'"{v:g} m/s"') for v in chosen], *ONE)
+    return dict(zip(chosen, found))
+
+
 def transferred(program, prism, strains):
     """The six shots with each hypothesis, nothing fitted; what wall, mesh and tilt do beside the first."""
     first = HYPOTHESES[0]
@@ -169,19 +182,21 @@ def transferred(program, prism, strains):
     others = [at(ONE, h=h) for h in HYPOTHESES[1:]]
     variants = [("wall x 1/2", at(ONE, width='"18.75 mm"')), ("wall x 2", at(ONE, width='"75 mm"')), ("8 cubes for 6", at(ONE, on_half_thickness=8)),
                 ("tilt 5 deg", at(ONE, tilt=5)), ("tilt 20 deg", at(ONE, tilt=20))]
+    finer = twice_as_many_cubes(program, prism, speeds)
     rows = []
     for k, shot in enumerate(prism.shots):
         rows.append([f"{speeds[k]:g}", f"{shot['penetration_cm']:.2f}", f"{shot['fe_cm']:.2f}", depth_text(base[k]), in_percent(deviation(base[k], shot["penetration_cm"]), "+.1f"),
-                     *(depth_text(found[k]) for found in others), *(depth_text(found[k]) for _, found in variants)])
+                     *(depth_text(found[k]) for found in others), *(depth_text(found[k]) for _, found in variants), depth_text(finer[speeds[k]]) if speeds[k] in finer else ""])
     changes = [in_percent(sum(cm(a) / cm(b) - 1 for a, b in zip(found, base)) / len(base), "+.1f") for _, found in variants]
-    rows.append(["mean change, %", *[""] * (4 + len(others)), *changes])
-    text = table(["m/s", "measured", "LS-DYNA, one strain fitted", first.name, "to measured, %", *(h.name for h in HYPOTHESES[1:]), *(name for name, _ in variants)], rows)
+    of_finer = in_percent(sum(cm(found) / cm(base[speeds.index(v)]) - 1 for v, found in finer.items()) / len(finer), "+.1f")
+    rows.append(["mean change, %", *[""] * (4 + len(others)), *changes, of_finer])
+    text = table(["m/s", "measured", "LS-DYNA, one strain fitted", first.name, "to measured, %", *(h.name for h in HYPOTHESES[1:]), *(name for name, _ in variants), "12 cubes for 6"], rows)
     tilts = [f"{math.degrees(abs(r.runs[0].turn or 0)):.0f}" for r in variants[3][1]]
     summary = "; ".join(f"{h.name} {means(prism, r)[0]}" for h, r in zip(HYPOTHESES, (base, *others)))
     return f"""{text}
 
 Mean deviation from the measurements: {summary}. Started 5 degrees aslant and free to turn, it has turned by {', '.join(tilts)} degrees when it stops. A run costs {sum(r.cpu() for r in base) / len(base):.1f} CPU s ({base[0].elements} elements)
-with six cubes on half the thickness, {sum(r.cpu() for r in variants[2][1]) / len(base):.1f} with eight; energies close within {max(r.worst_closure for r in base):.1%}.
+with six cubes on half the thickness, {sum(r.cpu() for r in variants[2][1]) / len(base):.1f} with eight, {sum(r.cpu() for r in finer.values()) / len(finer):.0f} with twelve; energies close within {max(r.worst_closure for r in base):.1%}.
 """
 
 
@@ -202,13 +217,110 @@ def fitted(program, prism, balls_strain):
     return [prism.name, f"{best[1]:g}", *(depth_text(r) for r in results), measured, fe]
 
 
+def equal_masses(program, prisms, strains):
+    """Table 5-3: 0.7027 g of each shape at 40 m/s; the ball on elements of the square's size."""
+    rhombus, square = prisms
+    rows = []
+    for h in HYPOTHESES:
+        scenes = [prism_scene(rhombus, h, strains["rhombus"][h.name], speed='"40 m/s"'), prism_scene(square, h, strains["square"][h.name], speed='"40 m/s"', side='"5.64 mm"', mass='"0.7027 g"')]
+        element = square.half_thickness / 6
+        ball_ = with_keys(ball(h, round(BALL_OF_MASS / element, 3), strains["square"][h.name]), radius=f'"{BALL_OF_MASS} mm"', speed='"40 m/s"')
+        rows.append([h.name, *(depth_text(program.impact(text, *THREE)) for text in (*scenes, ball_))])
+    printed = [row["penetration_cm"] for row in with_numbers(rows_of(THESIS / "angularity.csv"))]
+    return table(["hypothesis", "rhombus", "square of 5.64 mm", f"ball of {BALL_OF_MASS} mm radius"], [["thesis, from its lines", *printed], *rows])
+
+
+def blunt(text, side, by):
+    """The square with its corners cut off, `by` of each side at each end; all in mm."""
+    c = side * math.sqrt(0.5)
+    corners = [(0, -c), (c, 0), (0, c), (-c, 0)]
+    cut = []
+    for k, (x, y) in enumerate(corners):
+        for other in (corners[k - 1], corners[(k + 1) % 4]):
+            share = by / side
+            cut.append((x + share * (other[0] - x), y + share * (other[1] - y)))
+    vertices = ", ".join(f'["{x:.4f} mm", "{y:.4f} mm"]' for x, y in cut)
+    return changed(text, ('shape = "rhombus"', f'shape = "profile"\nvertices = [{vertices}]'), ('side = "5.83 mm"\n', ""), ('tip_angle = "90 deg"\n', ""))
+
+
+def missing_fifth(program, square, strains):
+    """What would have the square go deeper: one number changed at a time, the shots of 50 and 60 m/s."""
+    first = HYPOTHESES[0]
+    strain = strains["square"][first.name]
+    changes = [("as it is", {}, None), ("mass + 5 %", {"mass": '"0.7884 g"'}, None), ("mass + 25 %", {"mass": '"0.9386 g"'}, None), ("thickness - 5 %, mass as it is", {"thickness": '"2.755 mm"'}, None),
+               ("speed + 5 %", {}, 1.05), ("erosion strain - 5 %", {"strain": round(0.95 * strain, 4)}, None), ("erosion strain - 10 %", {"strain": round(0.9 * strain, 4)}, None),
+               ("mu - 20 %", {"mu": f'"{0.8 * first.mu:g} kPa"'}, None), ("gelatin's density - 5 %", {"density": '"960 kg/m3"'}, None)]
+    speeds = (50, 60)
+    rows = []
+    for words, keys, faster in changes:
+        texts = [prism_scene(square, first, keys.get("strain", strain), speed=f'"{v * (faster or 1):g} m/s"', **{k: v for k, v in keys.items() if k not in ("strain", "mu")}) for v in speeds]
+        if "mu" in keys:
+            texts = [with_keys(text, mu=keys["mu"]) for text in texts]
+        rows.append([words, *program.impacts(texts, *ONE)])
+    straight = [prism_scene(square, first, strain, speed=f'"{v} m/s"') for v in speeds]
+    rows.append(["corners cut by 0.1 mm of each side", *program.impacts([blunt(text, 5.83, 0.1) for text in straight], *ONE)])
+    rows.append(["face first, held", *program.impacts([text.replace("[target]", 'orientation = "45 deg"\n\n[target]', 1) for text in straight], *ONE)])
+    own = rows[0][1:]
+    measured = [next(s["penetration_cm"] for s in square.shots if s["velocity_m_s"] == v) for v in speeds]
+    lines = [["measured", *(f"{m:.2f}" for m in measured), in_percent(sum(m / cm(r) - 1 for m, r in zip(measured, own)) / 2, "+.1f")]]
+    lines += [[words, *(depth_text(r) for r in found), in_percent(sum(cm(r) / cm(o) - 1 for r, o in zip(found, own)) / 2, "+.1f")] for words, *found in rows]
+    return table(["change", "50 m/s, cm", "60 m/s, cm", "mean change, %"], lines)
+
+
+# What a block can that the axisymmetric solver cannot.
+
+SKIN_FIBRES = "k1 = \"{k1} kPa\"\nk2 = 0.13\nkappa = {kappa}\nangle = \"{angle} deg\"\n"  # in the measure of Annaidh et al. 2012, human skin of the back: 24.5 MPa, 0.13, 0.14, 41 deg
+
+
+def directions(program, rhombus, strains):
+    """Fibres along and across the rhombus's edge, and tension of the block in one or the other direction."""
+    first = HYPOTHESES[0]
+    base = prism_scene(rhombus, first, strains["rhombus"][first.name], speed='"40 m/s"')
+    with_fibres = lambda kappa, angle: base.replace("[target.erosion]", "[target.fibres]\n" + SKIN_FIBRES.format(k1=200, kappa=kappa, angle=angle) + "[target.erosion]", 1)
+    taut = lambda x, y: base.replace("[target.erosion]", f"stretch = {x}\nstretch_across = {y}\n[target.erosion]", 1)
+    cases = [("none of either", base), ("fibres across the edge, along x", with_fibres(0, 0)), ("fibres along the edge, along y", with_fibres(0, 90)), ("two families at 45 deg to either", with_fibres(0, 45)),
+             ("fibres in all directions, kappa 1/3", with_fibres(0.333333, 0)), ("stretched by 1.1 across the edge", taut(1.1, 1)), ("stretched by 1.1 along the edge", taut(1, 1.1)), ("stretched by 1.05 in both", taut(1.05, 1.05))]
+    found = [program.impact(text, *THREE) for _, text in cases]
+    cost = lambda r: r.cpu() / r.element_steps
+    lines = [[words, depth_text(r), in_percent(cm(r) / cm(found[0]) - 1, "+.1f"), percent(r.worst_closure, ".1f"), f"{cost(r) / cost(found[0]):.2f}"] for (words, _), r in zip(cases, found)]
+    return table(["gelatin of the first hypothesis with", "rhombus at 40 m/s, cm", "change, %", "closure", "time of an element-step"], lines)
+
+
+def angularity(program, file):
+    """The campaign of data/guha2009/angularity_block.toml as a figure and a table."""
+    answer = program.ask("campaign", THESIS / "angularity_block.toml", "--threads", str(program.options.jobs), "--out", "none", *program.kept())
+    names = [axis["key"] for axis in answer["axes"]]
+    points = [{**dict(zip(names, point["values"])), **point} for point in answer["points"]]
+    depth = lambda angle, side, turned: next(p for p in points if p["particle.tip_angle"] == angle and p["particle.side"] == side and p["particle.orientation"] == turned)
+    shapes = list(dict.fromkeys((p["particle.tip_angle"], p["particle.side"]) for p in points))
+    turns = list(dict.fromkeys(p["particle.orientation"] for p in points))
+    degrees = lambda text: float(str(text).split()[0])
+    rows = []
+    for angle, side in shapes:
+        cells = [depth(angle, side, turned) for turned in turns]
+        rows.append([f"{degrees(angle):g}", f"{side:g}", *(number(None if c["depth_m"] is None else 100 * c["depth_m"], ".2f") if c["outcome"] == "stopped" else c["outcome"] for c in cells), f"{sum(c['cpu_s'] for c in cells):.0f}"])
+    own = [(angle, side) for angle, side in shapes if not (degrees(angle) == 60 and side != 6)]
+    lines = [(degrees(angle), *(100 * (depth(angle, side, turned)["depth_m"] or math.nan) for turned in turns)) for angle, side in own]
+    sizes = sorted((side, *(100 * (depth(angle, side, turned)["depth_m"] or math.nan) for turned in turns)) for angle, side in shapes if degrees(angle) == 60)
+    colours = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")
+    curves = lambda block: ", ".join(f"${block} using 1:{k + 2} with linespoints lw 2 lc rgb '{colours[k]}' pt {(7, 5, 9, 13)[k]} title 'turned by {degrees(turned):g} deg'" for k, turned in enumerate(turns))
+    draw(file, data_block("angle", lines) + data_block("size", sizes) + f"""set multiplot layout 1,2
+set grid; set key bottom left; set yrange [0:*]; set ylabel 'depth, cm'
+set xlabel "angle of the tip, deg (area across 31.2 mm^2)"; set xrange [25:95]; plot {curves("angle")}
+unset key; set xlabel "side, mm (tip of 60 deg)"; set logscale x 2; set xrange [2.5:14.5]; set xtics (3, 6, 12); plot {curves("size")}
+""", size="900,420")
+    return table(["tip, deg", "side, mm", *(f"turned by {degrees(turned):g} deg" for turned in turns), "CPU s, of the row"], rows)
+
+
 def page(program):
     both = prisms()
-    strains = {p.name: {h.name: strain_at(program, h, p.half_thickness / 6)[0] for h in HYPOTHESES} for p in both}
-    balls = [[h.name, f"{h.mu:g}", f"{h.alpha:g}", f"{h.strain:g}", depth_text(strain_at(program, h, both[0].half_thickness / 6)[1]), *(f"{strains[p.name][h.name]:g}" for p in both)] for h in HYPOTHESES]
+    strains = {p.name: {h.name: strain_at(program, h, p.half_thickness / 6) for h in HYPOTHESES} for p in both}
+    balls = [[h.name, f"{h.mu:g}", f"{h.alpha:g}", f"{h.strain:g}", depth_text(strain_and_ball(program, h, both[0].half_thickness / 6)[1]), *(f"{strains[p.name][h.name]:g}" for p in both)] for h in HYPOTHESES]
     dents, sphere, aslant = dent(program), eroding_sphere(program), oblique(program)
     tables = {p.name: transferred(program, p, strains[p.name]) for p in both}
     fits = [fitted(program, p, strains[p.name][HYPOTHESES[0].name]) for p in both]
+    masses, tried, aligned = equal_masses(program, both, strains), missing_fifth(program, both[1], strains), directions(program, both[0], strains)
+    angles = angularity(program, figures_of(program.options.page) / "angularity.svg")
     return f"""# Three dimensions
 
 Written by `docs/verification/make_three_dimensions.py` from `percal impact` ({program.machine()}, one thread a run), from `data/guha2009/rhombus_block.toml` and `square_block.toml`. What is solved:

@@ -1,4 +1,4 @@
-"""Fields of a run as VTK's own reader finds them, held against the run's result. usage: fields_by_vtk.py PROGRAM SCENE"""
+"""Fields of a run as VTK's own reader finds them, held against the run's result. usage: fields_by_vtk.py PROGRAM ROUND_SCENE BLOCK_SCENE"""
 import json
 import math
 import pathlib
@@ -9,7 +9,7 @@ import xml.etree.ElementTree as xml
 
 try:
     import vtk
-    from vtk.util.numpy_support import vtk_to_numpy
+    from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 except ImportError:
     print("VTK is not here: skipped")
     sys.exit(77)
@@ -38,7 +38,40 @@ def close(found, expected, tolerance, what):
     assert abs(found - expected) <= tolerance * abs(expected), f"{what}: {found} instead of {expected}"
 
 
-def main(program, scene):
+def volumes(grid, points):
+    """Of the cells, with their corners at `points`."""
+    moved = vtk.vtkUnstructuredGrid()
+    moved.DeepCopy(grid)
+    places = vtk.vtkPoints()
+    places.SetData(numpy_to_vtk(points, deep=True))
+    moved.SetPoints(places)
+    sizes = vtk.vtkCellSizeFilter()
+    sizes.SetInputData(moved)
+    sizes.Update()
+    return vtk_to_numpy(sizes.GetOutput().GetCellData().GetArray("Volume"))
+
+
+def block(program, scene):
+    """Hexahedra that have the volumes they say; the particle's lowest point is the depth."""
+    with tempfile.TemporaryDirectory() as folder:
+        said = subprocess.run([program, "impact", scene, "--elements-per-radius", "4", "--replicates", "1", "--store", f"{folder}/s",
+                               "--fields", "every=50%", "--out", folder, "--json"], check=True, capture_output=True)
+        result = json.loads(said.stdout)
+        folder = pathlib.Path(result["fields"]["list"]).parent
+        last = result["fields"]["frames"] - 1
+        grid, points, arrays, time = read(folder / f"target_{last:04}.vtu")
+        assert grid.GetNumberOfCells() == result["elements"]
+        assert all(grid.GetCellType(k) == vtk.VTK_HEXAHEDRON for k in range(grid.GetNumberOfCells()))
+        found = volumes(grid, points - arrays["displacement"])
+        assert abs(found / arrays["undeformed_volume"] - 1).max() < 1e-5, "volumes"
+        assert int((arrays["eroded"] == 1).sum()) == result["runs"][0]["eroded"], "eroded cells"
+        particle = read(folder / f"particle_{last:04}.vtu")[1]
+        close(-particle[:, 2].min(), result["depth_m"], 1e-6, "depth")
+    print(f"{len(found)} hexahedra as VTK reads them")
+
+
+def main(program, scene, block_scene):
+    block(program, block_scene)
     with tempfile.TemporaryDirectory() as folder:
         said = subprocess.run([program, "impact", scene, "--elements-per-radius", "5", "--replicates", "1", "--store", f"{folder}/s",
                                "--fields", "every=5%", "--out", folder, "--json"], check=True, capture_output=True)

@@ -13,13 +13,15 @@
 namespace percal {
 namespace {
 
-// x, y, 0 of each point.
-template <class Number>
-std::vector<Number> in_space(const std::vector<Point>& points, double unit) {
+// x, y, z of each point; z = 0 of one in the plane.
+template <class Number, class Coordinates>
+std::vector<Number> in_space(const std::vector<Coordinates>& points, double unit) {
   std::vector<Number> numbers;
   numbers.reserve(3 * points.size());
-  for (const Point& point : points)
-    numbers.insert(numbers.end(), {static_cast<Number>(point[0] * unit), static_cast<Number>(point[1] * unit), 0});
+  for (const Coordinates& point : points) {
+    for (const double coordinate : point) numbers.push_back(static_cast<Number>(coordinate * unit));
+    if (point.size() == 2) numbers.push_back(0);
+  }
   return numbers;
 }
 
@@ -32,19 +34,20 @@ std::vector<float> of_states(const std::vector<CellState>& states, const Numbers
   return numbers;
 }
 
-double von_mises(const std::array<double, 4>& s) {
+double von_mises(const std::array<double, 6>& s) {
   const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * s[3] * s[3]);
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
 void add_states(VtuMesh& mesh, const std::vector<CellState>& states, double pressure) {
   using Numbers = std::vector<double>;
   mesh.cell_data.push_back(
       {"principal_stretches", 3, of_states(states, [](const CellState& c) { return c.stretches; })});
-  // VTK's order of a symmetric tensor: XX, YY, ZZ, XY, YZ, XZ.
+  // VTK's order of a symmetric tensor is that of CellState: XX, YY, ZZ, XY, YZ, XZ.
   mesh.cell_data.push_back({"stress", 6, of_states(states, [&](const CellState& c) {
-                              const auto& s = c.stress;
-                              return Numbers{s[0] * pressure, s[1] * pressure, s[2] * pressure, s[3] * pressure, 0, 0};
+                              Numbers numbers(c.stress.begin(), c.stress.end());
+                              for (double& number : numbers) number *= pressure;
+                              return numbers;
                             })});
   mesh.cell_data.push_back({"pressure", 1, of_states(states, [&](const CellState& c) {
                               return Numbers{-(c.stress[0] + c.stress[1] + c.stress[2]) / 3 * pressure};
@@ -57,7 +60,8 @@ void add_states(VtuMesh& mesh, const std::vector<CellState>& states, double pres
                             })});
 }
 
-VtuMesh mesh_of_piece(const FramePiece& piece, double time, const Scales& scales) {
+template <class Coordinates>
+VtuMesh mesh_of_piece(const PieceOf<Coordinates>& piece, double time, const Scales& scales) {
   VtuMesh mesh;
   mesh.time = time * scales.radius / scales.speed;
   mesh.points = in_space<double>(piece.position, scales.radius);
@@ -67,6 +71,31 @@ VtuMesh mesh_of_piece(const FramePiece& piece, double time, const Scales& scales
   mesh.point_data.push_back({"velocity", 3, in_space<float>(piece.velocity, scales.speed)});
   if (!piece.states.empty()) add_states(mesh, piece.states, scales.target_density * scales.speed * scales.speed);
   return mesh;
+}
+
+template <class Coordinates>
+VtuMesh mesh_of_target(const TargetPieceOf<Coordinates>& target, double time, double volume_unit,
+                       const Scales& scales) {
+  VtuMesh mesh = mesh_of_piece(target, time, scales);
+  std::vector<float> volumes;
+  for (const double volume : target.volume) volumes.push_back(static_cast<float>(volume * volume_unit));
+  mesh.cell_data.push_back({"eroded", 1, target.eroded});
+  mesh.cell_data.push_back({"layer", 1, std::vector<std::uint8_t>(target.layer.begin(), target.layer.end())});
+  mesh.cell_data.push_back({"undeformed_volume", 1, volumes});
+  return mesh;
+}
+
+struct FrameMeshes {
+  VtuMesh target, particle;
+};
+FrameMeshes meshes_of(const Frame& frame, const Problem& problem, const Scales& scales) {
+  if (!frame.in_space) return {target_fields(frame, problem, scales), particle_fields(frame, scales)};
+  const SpaceFrame space = frame.in_space();
+  const double time = frame.moment.time, radius = scales.radius;
+  FrameMeshes meshes{mesh_of_target(space.target, time, radius * radius * radius, scales),
+                     mesh_of_piece(space.particle, time, scales)};
+  meshes.target.hexahedra = true;
+  return meshes;
 }
 
 // "target_0003.vtu", "particle_12345.vtu".
@@ -91,18 +120,11 @@ void remove_earlier_frames(const std::string& folder, const std::string& list) {
 }  // namespace
 
 VtuMesh target_fields(const Frame& frame, const Problem& problem, const Scales& scales) {
-  const TargetPiece& target = frame.target;
-  VtuMesh mesh = mesh_of_piece(target, frame.moment.time, scales);
   const double radius = scales.radius;
   const double volume_unit = problem.geometry == Geometry::axisymmetric
                                  ? 2 * std::numbers::pi * radius * radius * radius
                                  : radius * radius;  // of a metre's thickness
-  std::vector<float> volumes;
-  for (const double volume : target.volume) volumes.push_back(static_cast<float>(volume * volume_unit));
-  mesh.cell_data.push_back({"eroded", 1, target.eroded});
-  mesh.cell_data.push_back({"layer", 1, std::vector<std::uint8_t>(target.layer.begin(), target.layer.end())});
-  mesh.cell_data.push_back({"undeformed_volume", 1, volumes});
-  return mesh;
+  return mesh_of_target(frame.target, frame.moment.time, volume_unit, scales);
 }
 
 VtuMesh particle_fields(const Frame& frame, const Scales& scales) {
@@ -121,7 +143,7 @@ FieldSeries::FieldSeries(std::string folder, const std::string& name, const Fiel
 }
 
 void FieldSeries::see(const Frame& frame) {
-  const VtuMesh target = target_fields(frame, problem_, scales_), particle = particle_fields(frame, scales_);
+  const auto [target, particle] = meshes_of(frame, problem_, scales_);
   const std::vector<std::string> files{fmt::format("target_{:04}.vtu", written_.size()),
                                        fmt::format("particle_{:04}.vtu", written_.size())};
   const std::filesystem::path folder(folder_);

@@ -10,11 +10,11 @@
 
 namespace percal {
 
-// m, s, m/s, Pa, J/m3; z = 0.
+// m, s, m/s, Pa, J/m3; z = 0. Of a block: its cut.
 VtuMesh target_fields(const Frame& frame, const Problem& problem, const Scales& scales);
 VtuMesh particle_fields(const Frame& frame, const Scales& scales);
 
-// Writes each frame as it comes; memory holds one at a time. The list names only frames that are whole on the disk.
+// Writes each frame as it comes, of a block in space; memory holds one at a time. The list names only frames that are whole on the disk.
 class FieldSeries : public FrameObserver {
  public:
   // Takes away what an earlier series left in `folder` under the same names. Throws IoFailure where files cannot be written there.

@@ -65,7 +65,8 @@ class Writer {
 
  private:
   static std::vector<std::uint8_t> types(const VtuMesh& mesh) {
-    constexpr std::uint8_t polygon = 7, quad = 9;
+    constexpr std::uint8_t polygon = 7, quad = 9, hexahedron = 12;
+    if (mesh.hexahedra) return std::vector(mesh.ends.size(), hexahedron);
     std::vector<std::uint8_t> types;
     std::int32_t begin = 0;
     for (const std::int32_t end : mesh.ends) {

@@ -20,9 +20,10 @@ struct VtuMesh {
   std::vector<double> points;               // x, y, z of each
   std::vector<std::int32_t> corners, ends;  // cell k has the points corners[ends[k-1]] to corners[ends[k] - 1]
   std::vector<VtuArray> point_data, cell_data;
+  bool hexahedra = false;  // the cells
 };
 
-// The file. Cells with four corners are quads, others polygons.
+// The file. Where cells are no hexahedra those with four corners are quads, others polygons.
 std::string vtu_text(const VtuMesh& mesh);
 
 // `bytes` as VTK's zlib compressor lays them out: number of blocks, size of a block, size of the last one if it is shorter (else

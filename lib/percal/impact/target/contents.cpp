@@ -74,9 +74,8 @@ struct Measures {
 template <class Real>
 Measures measures_of(const Block<Real>& block, const TargetSolid& solid, int column, int row) {
   const CellState state = state_of(block, solid, column, row);
-  const auto& [rr, zz, hoop, rz] = state.stress;
-  return {state.stretches[0] * state.stretches[0],
-          std::max(0.5 * (rr + zz) + std::hypot(0.5 * (rr - zz), rz), hoop),
+  const auto& [rr, zz, hoop, rz, r_hoop, z_hoop] = state.stress;
+  return {state.stretches[0] * state.stretches[0], std::max(0.5 * (rr + zz) + std::hypot(0.5 * (rr - zz), rz), hoop),
           instantaneous_solid(solid, row).energy_density(whole_gradient(block, solid, column, row))};
 }
 
@@ -195,7 +194,7 @@ CellState cell_state(const scalar::Gradient<double>& F, const scalar::Piola<doub
   const auto tau = scalar::kirchhoff(F, P);
   const double J = s.jacobian;
   CellState state{.stretches = {std::sqrt(s.first2), std::sqrt(s.second2), F.hoop},
-                  .stress = {tau.rr / J, tau.zz / J, tau.hoop / J, tau.rz / J},
+                  .stress = {tau.rr / J, tau.zz / J, tau.hoop / J, tau.rz / J, 0, 0},
                   .energy_density = energy_density};
   std::sort(state.stretches.rbegin(), state.stretches.rend());
   return state;

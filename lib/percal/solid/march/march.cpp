@@ -45,7 +45,7 @@ class SolidMarch {
       if (course_.has_ended(sight()) && !goes_on()) break;
       choose_step();
       if (recorder_.is_due()) recorder_.keep(history_point());
-      if (observer_ && observer_->is_due(moment())) observer_->see(frame());
+      if (observer_ && observer_->is_due(moment())) at_one_time([this] { show_as_is(false); });
       move(0.5 * (last_step_ + step_), step_);
       if (++result_.steps % front_interval == 0) extend_front();
     }
@@ -150,15 +150,19 @@ class SolidMarch {
   // What look() makes of this moment, with velocities at the time of the displacements. Afterwards all stands where it stood.
   template <class Look>
   auto at_one_time(const Look& look) {
-    const std::vector<Real> motion = block_.motion();
-    const Body body = body_;
-    const double last_step = last_step_;
+    struct PutBack {
+      SolidMarch& march;
+      std::vector<Real> motion = march.block_.motion();
+      Body body = march.body_;
+      double last_step = march.last_step_;
+      ~PutBack() {
+        march.block_.put_back(motion);
+        march.body_ = std::move(body);
+        march.last_step_ = last_step;
+      }
+    } put_back{*this};
     synchronise();
-    auto seen = look();
-    block_.put_back(motion);
-    body_ = body;
-    last_step_ = last_step;
-    return seen;
+    return look();
   }
 
   HistoryPoint history_point() {
@@ -168,11 +172,11 @@ class SolidMarch {
 
   Moment moment() const { return {time_, body_.tip(), result_.steps}; }
   ParticlePlace place() const { return {time_, body_.tip(), body_.top(), body_.speed()}; }
-  Frame frame_as_is(bool is_last) const {
-    return {moment(), is_last, cut_piece(block_, solid_), body_.piece(problem_)};
-  }
-  Frame frame() {
-    return at_one_time([this] { return frame_as_is(false); });
+
+  // To the observer; velocities must stand at the time of the displacements.
+  void show_as_is(bool is_last) const {
+    const auto in_space = [this] { return SpaceFrame{space_piece(block_, solid_), body_.space_piece(problem_)}; };
+    observer_->see({moment(), is_last, cut_piece(block_, solid_), body_.piece(problem_), in_space});
   }
 
   EnergyLedger energy_shares(int rows) const {
@@ -199,7 +203,7 @@ class SolidMarch {
   void close_the_books() {
     take_stock();
     recorder_.finish({time_, body_.tip(), body_.speed(), contact_.force(), result_.energy});
-    if (observer_) observer_->see(frame_as_is(true));
+    if (observer_) show_as_is(true);
     result_.history = recorder_.take();
     result_.helper_cpu_seconds = slabs_.helper_cpu_seconds();
   }

@@ -3,8 +3,50 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace percal {
+
+SpacePiece lofted(const std::vector<Section>& sections, const std::function<ParticlePiece(double scale)>& outline_at) {
+  SpacePiece piece;
+  int around = 0;
+  const auto in_space = [](const Point& point, double y) { return SpacePoint{point[0], y, point[1]}; };
+  for (const auto& [y, scale] : sections) {
+    const ParticlePiece outline = outline_at(scale);
+    around = static_cast<int>(outline.position.size());
+    for (int k = 0; k < around; ++k) {
+      piece.position.push_back(in_space(outline.position[k], y));
+      piece.displacement.push_back(in_space(outline.displacement[k], 0));
+      piece.velocity.push_back(in_space(outline.velocity[k], 0));
+    }
+  }
+  const auto add_cell = [&piece](const std::vector<int>& corners) {
+    piece.corners.insert(piece.corners.end(), corners.begin(), corners.end());
+    piece.ends.push_back(static_cast<int>(piece.corners.size()));
+  };
+  const int last = (static_cast<int>(sections.size()) - 1) * around;
+  std::vector<int> end(around);
+  std::iota(end.begin(), end.end(), 0);
+  add_cell(end);
+  for (int first = 0; first < last; first += around)
+    for (int k = 0; k < around; ++k) {
+      const int next = (k + 1) % around;
+      add_cell({first + k, first + next, first + around + next, first + around + k});
+    }
+  std::iota(end.begin(), end.end(), last);
+  add_cell(end);
+  return piece;
+}
+
+std::vector<Section> SphereShape::sections() const {
+  constexpr int sections = 24;
+  std::vector<Section> all;
+  for (int k = 0; k <= sections; ++k) {
+    const double angle = 0.5 * std::numbers::pi * k / sections;
+    all.push_back({std::sin(angle), std::cos(angle)});
+  }
+  return all;
+}
 
 SpaceOverlap SphereShape::overlap(const std::array<double, 3>& from) const {
   const double distance = std::hypot(from[0], from[1], from[2]);

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "percal/impact/particle/particle.hpp"
@@ -15,6 +16,13 @@ struct SpaceOverlap {
   double gap = 0;
   std::array<double, 3> normal{};
 };
+
+// The outline of a body, times `scale`, at this y.
+struct Section {
+  double y, scale;
+};
+// The surface between the sections of a body from y = 0 outwards, each with the same number of points, and the first and last of them.
+SpacePiece lofted(const std::vector<Section>& sections, const std::function<ParticlePiece(double scale)>& outline_at);
 
 class SphereShape {
  public:
@@ -35,6 +43,7 @@ class SphereShape {
   double inertia(const Problem&) const { return 1; }  // nothing turns it
   std::vector<Point> outline()
       const;  // in the plane y = 0 before it is turned, y upwards, from the centre, counter-clockwise
+  std::vector<Section> sections() const;
   static bool may_turn(const Problem&) { return false; }
   static bool may_go_sideways(const Problem& problem) { return problem.whole; }
 };
@@ -59,6 +68,7 @@ class PrismShape {
   double mass(const Problem& problem) const;
   double inertia(const Problem& problem) const;
   std::vector<Point> outline() const { return vertices_; }
+  std::vector<Section> sections() const { return {{0, 1}, {half_thickness_, 1}}; }
   static bool may_turn(const Problem& problem);
   static bool may_go_sideways(const Problem& problem) { return may_turn(problem); }
 
@@ -114,11 +124,9 @@ class BodyRun : public NeverDeforms {
     const double moving = mass_ * (motion_.down * motion_.down + motion_.right * motion_.right);
     return {.kinetic = 0.5 * (moving + inertia_ * motion_.spin * motion_.spin)};
   }
-  ParticlePiece piece(const Problem& problem) const {
-    const Shape shape(problem);
-    const auto outline = problem.whole ? shape.outline() : right_half(shape.outline());
-    return moved_piece(outline, -shape.lowest(), {here_.x, here_.z, here_.angle},
-                       [&](double x, double z) { return velocity_at(x, z); });
+  ParticlePiece piece(const Problem& problem) const { return outline(problem, 1); }
+  SpacePiece space_piece(const Problem& problem) const {
+    return lofted(Shape(problem).sections(), [&](double scale) { return outline(problem, scale); });
   }
 
  private:
@@ -126,6 +134,18 @@ class BodyRun : public NeverDeforms {
     double x = 0, z = 0, angle = 0;  // of the centre of mass
     Shape shape;
   };
+
+  // As it is now.
+  ParticlePiece outline(const Problem& problem, double scale) const {
+    const Shape shape(problem);
+    std::vector<Point> outline = problem.whole ? shape.outline() : right_half(shape.outline());
+    for (auto& [x, y] : outline) {
+      x *= scale;
+      y *= scale;
+    }
+    return moved_piece(outline, -shape.lowest(), {here_.x, here_.z, here_.angle},
+                       [&](double x, double z) { return velocity_at(x, z); });
+  }
 
   static double share_of(const Problem& problem) { return problem.whole ? 0.5 : 0.25; }
   void move(Place& place, double time) const {

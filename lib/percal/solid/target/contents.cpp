@@ -48,6 +48,29 @@ Tensor<double> gradient_of(const std::array<Modes<double>, 3>& m, const Brick& b
           m[1].z * z,     m[2].x * x, m[2].y * y, m[2].z * z + 1};
 }
 
+template <class Real>
+int layer_of(const SolidBlock<Real>& block, int row) {
+  const auto own = [row](const LayerRows& layer) { return row < layer.end; };
+  return static_cast<int>(std::ranges::find_if(block.layers(), own) - block.layers().begin());
+}
+
+// Of a live element; z upwards.
+template <class Real>
+CellState state_of(const SolidBlock<Real>& block, const TargetSolid& solid, int i, int j, int k) {
+  const MaterialConstants& material = solid.of_row(k);
+  const auto F = whole_gradient(block, solid, i, j, k);
+  const auto d = scalar::hex::deformation_of(F);
+  const auto tau = kirchhoff(material, F, d);
+  Eigen::Matrix3d b;
+  b << d.B.xx, d.B.xy, d.B.xz, d.B.xy, d.B.yy, d.B.yz, d.B.xz, d.B.yz, d.B.zz;
+  const Eigen::Vector3d squares = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(b).eigenvalues().array() + d.mean;
+  CellState state{.energy_density = energy_density(material, F)};
+  for (int p = 0; p < 3; ++p) state.stretches[p] = std::sqrt(std::max(0.0, squares[2 - p]));
+  state.stress = {tau.xx, tau.yy, tau.zz, tau.xy, -tau.yz, -tau.xz};
+  for (double& component : state.stress) component *= d.inverse_jacobian;
+  return state;
+}
+
 }  // namespace
 
 template <class Real>
@@ -175,27 +198,52 @@ TargetPiece cut_piece(const SolidBlock<Real>& block, const TargetSolid& solid) {
       piece.ends.push_back(static_cast<int>(piece.corners.size()));
       const bool eroded = !(fields.alive[block.at(i, 0, k)] > 0);
       piece.eroded.push_back(eroded ? 1 : 0);
-      const auto own = [k](const LayerRows& layer) { return k < layer.end; };
-      piece.layer.push_back(static_cast<int>(std::ranges::find_if(block.layers(), own) - block.layers().begin()));
+      piece.layer.push_back(layer_of(block, k));
       piece.volume.push_back((grid.x[i + 1] - grid.x[i]) * (grid.z[k + 1] - grid.z[k]));
       CellState state;
       if (!eroded) {
-        const MaterialConstants& material = solid.of_row(k);
-        const auto F = whole_gradient(block, solid, i, 0, k);
-        const auto d = scalar::hex::deformation_of(F);
-        const auto tau = kirchhoff(material, F, d);
-        Eigen::Matrix3d b;
-        b << d.B.xx, d.B.xy, d.B.xz, d.B.xy, d.B.yy, d.B.yz, d.B.xz, d.B.yz, d.B.zz;
-        const Eigen::Vector3d squares =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(b).eigenvalues().array() + d.mean;
-        for (int p = 0; p < 3; ++p) state.stretches[p] = std::sqrt(std::max(0.0, squares[2 - p]));
-        // x, up, out of the plane, and the shear of the first two: z is downwards.
-        state.stress = {tau.xx * d.inverse_jacobian, tau.zz * d.inverse_jacobian, tau.yy * d.inverse_jacobian,
-                        -tau.xz * d.inverse_jacobian};
-        state.energy_density = energy_density(material, F);
+        state = state_of(block, solid, i, 0, k);
+        auto& [xx, yy, zz, xy, yz, xz] = state.stress;  // of the cut: x, up, out of the plane
+        std::swap(yy, zz);
+        std::swap(xy, xz);
       }
       piece.states.push_back(state);
     }
+  return piece;
+}
+
+template <class Real>
+SpaceTarget space_piece(const SolidBlock<Real>& block, const TargetSolid& solid) {
+  SpaceTarget piece;
+  const auto& grid = block.grid();
+  const auto& fields = block.fields();
+  const int rows = grid.rows(), across = block.columns_y() + 1;
+  for (int i = 0; i <= block.slabs(); ++i)
+    for (int j = 0; j < across; ++j)
+      for (int k = 0; k <= rows; ++k) {
+        const long n = block.at(i, j, k);
+        const auto upwards = [n](const std::array<const Real*, 3>& f) {
+          return SpacePoint{f[0][n], f[1][n], -static_cast<double>(f[2][n])};
+        };
+        const SpacePoint u = upwards(fields.u);
+        piece.position.push_back({grid.x[i] + u[0], grid.y[j] + u[1], u[2] - grid.z[k]});
+        piece.displacement.push_back(u);
+        piece.velocity.push_back(upwards(fields.v));
+      }
+  const auto node = [&](int i, int j, int k) { return (i * across + j) * (rows + 1) + k; };
+  for (int i = 0; i < block.slabs(); ++i)
+    for (int j = 0; j < block.columns_y(); ++j)
+      for (int k = 0; k < rows; ++k) {
+        for (const int level : {k + 1, k})
+          for (const auto& [x, y] : {std::pair(i, j), {i + 1, j}, {i + 1, j + 1}, {i, j + 1}})
+            piece.corners.push_back(node(x, y, level));
+        piece.ends.push_back(static_cast<int>(piece.corners.size()));
+        const bool eroded = !(fields.alive[block.at(i, j, k)] > 0);
+        piece.eroded.push_back(eroded ? 1 : 0);
+        piece.layer.push_back(layer_of(block, k));
+        piece.volume.push_back(brick_at(block, i, j, k).volume / solid.of_row(k).initial.jacobian());
+        piece.states.push_back(eroded ? CellState{} : state_of(block, solid, i, j, k));
+      }
   return piece;
 }
 
@@ -215,5 +263,7 @@ template bool take_initial_state(SolidBlock<double>&, const TargetSolid&);
 template double momentum(const SolidBlock<double>&);
 template TargetPiece cut_piece(const SolidBlock<float>&, const TargetSolid&);
 template TargetPiece cut_piece(const SolidBlock<double>&, const TargetSolid&);
+template SpaceTarget space_piece(const SolidBlock<float>&, const TargetSolid&);
+template SpaceTarget space_piece(const SolidBlock<double>&, const TargetSolid&);
 
 }  // namespace percal

@@ -44,4 +44,8 @@ double momentum(const SolidBlock<Real>&);
 template <class Real>
 TargetPiece cut_piece(const SolidBlock<Real>&, const TargetSolid&);
 
+// All of it, as hexahedra, column by column from the surface down. Volumes are those of the unstretched solid.
+template <class Real>
+SpaceTarget space_piece(const SolidBlock<Real>&, const TargetSolid&);
+
 }  // namespace percal
