@@ -129,7 +129,6 @@ TEST(BlockToml, WhatABlockLacksIsRefusedByName) {
            {"[solver]\neroded_nodes = \"in contact\"\n", "solver.eroded_nodes"},
            {"[output]\nchannel = true\n", "output.channel"}})
     EXPECT_THAT(refusal(block(ball_lines, rest)), HasSubstr(key + ": found")) << rest;
-  EXPECT_THAT(refusal(block(ball_lines + "friction = 0.1\n")), HasSubstr("particle.friction: found friction"));
   EXPECT_THAT(refusal(block("shape = \"cylinder\"\n" + ball_lines)), HasSubstr("\"cylinder\" in a block"));
   EXPECT_THAT(refusal(block("shape = \"cone\"\ntip_angle = \"60 deg\"\n" + ball_lines)), HasSubstr("\"cone\" in a block"));
   EXPECT_THAT(refusal(block(ball_lines + "thickness = \"1 mm\"\n")),

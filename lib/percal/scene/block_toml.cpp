@@ -93,8 +93,6 @@ void refuse_what_a_block_lacks(const TomlTable& root, const Scene& scene) {
             "no relaxation");
   need_none(target, !std::holds_alternative<NoAverage>(layer.erosion_average), "erosion",
             "a limit judged over a length", "limits that each element is judged by alone");
-  need_none(root.table("particle"), !std::holds_alternative<NoFriction>(scene.particle.friction), "friction",
-            "friction", "no friction");
   if (const auto solver = root.optional_table("solver")) {
     const SolverScene& asked = scene.solver;
     need_none(*solver, asked.rates != 1, "rates", "2", "1");

@@ -24,7 +24,7 @@ struct Touch {
   double impulse = 0;  // along `away`, not negative
 
   // Friction's. Of length 1, across `away`; 0 where the node cannot slide, on the axis, and where there is no friction.
-  double along_x = 0, along_z = 0;
+  double along_x = 0, along_y = 0, along_z = 0;
   double along_before = 0, along_now = 0;  // as before and now, along `along`
   double rub = 0;                          // impulse along it, of either sign
 

@@ -1,6 +1,9 @@
 // Where a body may meet the target in three dimensions, and what happens there once a step: docs/theory/impact.md, "Contact".
 #pragma once
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "percal/impact/settings.hpp"
@@ -11,13 +14,14 @@ namespace percal {
 template <class Real, class Body>
 class SpaceContact {
  public:
-  SpaceContact(SolidBlock<Real>& block, const SolidKernel<Real>& kernel, Body& body)
-      : block_(block), kernel_(kernel), body_(body) {
+  SpaceContact(SolidBlock<Real>& block, const SolidKernel<Real>& kernel, Body& body, double friction_coefficient)
+      : block_(block), kernel_(kernel), body_(body), friction_coefficient_(friction_coefficient) {
     found_.resize(block_.fields().stride + kernel_.lanes);
   }
 
   double force() const { return force_; }  // upwards, on the body, in the last step
   double collisions() const { return collisions_; }
+  double friction() const { return friction_; }
 
   // Columns and rows that the body may meet until the next search, `margin` of way later. Rows as in ContactZone::search().
   void search(int rows_moving, double margin) {
@@ -45,16 +49,15 @@ class SpaceContact {
     columns_ = {};
     each_column([&](int i, int j) { look(i, j, drift); });
     for (Touch& touch : touches_) {
-      const auto& f = block_.fields().f;
-      const double along =
-          touch.away_x * f[0][touch.node] + touch.away_y * f[1][touch.node] + touch.away_z * f[2][touch.node];
-      touch.now = velocity_along(touch);
-      touch.before = touch.now - kick * along * block_.fields().inverse_mass[touch.node];
+      const Space away = away_of(touch);
+      touch.now = dot(away, velocity_of(touch));
+      touch.before = touch.now - kicked_along(touch, away, kick);
     }
     collisions_ += body_.meet(touches_, columns_);
+    if (friction_coefficient_ > 0) rub(kick);
     push(drift);
     double upwards = 0;
-    for (const Touch& touch : touches_) upwards += touch.impulse * touch.away_z;
+    for (const Touch& touch : touches_) upwards += touch.impulse * touch.away_z + touch.rub * touch.along_z;
     force_ = upwards / drift;
   }
 
@@ -65,8 +68,8 @@ class SpaceContact {
     body_.foresee(0);
     for (Touch touch : last) {
       if (touch.impulse == 0 || !touches(touch.node)) continue;
-      touch.impulse = 0;
-      touch.now = velocity_along(touch);
+      touch.impulse = touch.rub = 0;
+      touch.now = dot(away_of(touch), velocity_of(touch));
       const PointVelocity body = body_.velocity_at(touch.x, touch.z);
       touch.rate = touch.away_x * body.x + touch.away_z * body.z - touch.now;
       if (touch.rate > 0) touches_.push_back(touch);
@@ -91,9 +94,35 @@ class SpaceContact {
 
   bool touches(long node) const { return block_.has_live_element(node) && block_.fields().inverse_mass[node] > 0; }
 
-  double velocity_along(const Touch& touch) const {
-    const auto& v = block_.fields().v;
-    return touch.away_x * v[0][touch.node] + touch.away_y * v[1][touch.node] + touch.away_z * v[2][touch.node];
+  using Space = std::array<double, 3>;
+  static double dot(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  static Space away_of(const Touch& touch) { return {touch.away_x, touch.away_y, touch.away_z}; }
+  static Space at_node(const std::array<Real*, 3>& field, long node) {
+    return {field[0][node], field[1][node], field[2][node]};
+  }
+  Space velocity_of(const Touch& touch) const { return at_node(block_.fields().v, touch.node); }
+  // What the step's forces have changed of a node's velocity in a direction.
+  double kicked_along(const Touch& touch, const Space& direction, double kick) const {
+    return kick * dot(direction, at_node(block_.fields().f, touch.node)) * block_.fields().inverse_mass[touch.node];
+  }
+
+  // Impulses along the surface, against the node's sliding, for those that have one across it. What a plane of symmetry holds does not
+  // slide across it: neither its velocity nor its way out has such a component.
+  void rub(double kick) {
+    for (Touch& touch : touches_) {
+      const PointVelocity body = body_.velocity_at(touch.x, touch.z);
+      const Space away = away_of(touch), velocity = velocity_of(touch);
+      Space sliding{body.x - velocity[0], -velocity[1], body.z - velocity[2]};
+      const double across = dot(sliding, away) / touch.steepness();
+      for (int d = 0; d < 3; ++d) sliding[d] -= across * away[d];
+      const double speed = std::sqrt(dot(sliding, sliding));
+      if (speed == 0) continue;
+      for (double& component : sliding) component /= speed;
+      std::tie(touch.along_x, touch.along_y, touch.along_z) = std::tie(sliding[0], sliding[1], sliding[2]);
+      touch.along_now = dot(sliding, velocity);
+      touch.along_before = touch.along_now - kicked_along(touch, sliding, kick);
+    }
+    friction_ += body_.rub(touches_, columns_, friction_coefficient_);
   }
 
   void look(int i, int j, double drift) {
@@ -128,8 +157,9 @@ class SpaceContact {
     const auto& fields = block_.fields();
     for (const Touch& touch : touches_) {
       if (touch.impulse == 0) continue;
-      const double by = touch.impulse / touch.mass;
-      const std::array<double, 3> change{by * touch.away_x, by * touch.away_y, by * touch.away_z};
+      const double by = touch.impulse / touch.mass, along = touch.rub / touch.mass;
+      const Space change{by * touch.away_x + along * touch.along_x, by * touch.away_y + along * touch.along_y,
+                         by * touch.away_z + along * touch.along_z};
       for (int d = 0; d < 3; ++d) {
         fields.v[d][touch.node] += static_cast<Real>(change[d]);
         fields.u[d][touch.node] += static_cast<Real>(change[d] * drift);
@@ -145,7 +175,9 @@ class SpaceContact {
   std::vector<int> found_;
   std::vector<Touch> touches_;  // of the last step
   ContactColumns columns_;      // that have touches, counted in their order
-  double force_ = 0, collisions_ = 0;
+  const double friction_coefficient_;
+  double force_ = 0;
+  double collisions_ = 0, friction_ = 0;  // energies
 };
 
 }  // namespace percal

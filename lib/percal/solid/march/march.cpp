@@ -28,7 +28,7 @@ class SolidMarch {
         solid_(solid_of_block(problem, block_.layers())),
         slabs_(block_, solid_kernel<Real>(), solid_, threads),
         body_(problem),
-        contact_(block_, solid_kernel<Real>(), body_),
+        contact_(block_, solid_kernel<Real>(), body_, friction_coefficient(problem)),
         recorder_(problem.history_samples),
         layer_speeds_(problem),
         course_(problem),
@@ -185,6 +185,7 @@ class SolidMarch {
     energy.viscosity = viscous_work_;
     energy.eroded = eroded_energy_;
     energy.collisions = contact_.collisions();
+    energy.friction = contact_.friction();
     for (const auto& [key, share, words] : energy_terms) energy.*share /= impact_energy_;
     return energy;
   }

@@ -107,6 +107,9 @@ class BodyRun : public NeverDeforms {
   double meet(std::vector<Touch>& touches, ContactColumns columns) {
     return RigidBody{free_, ahead_.x, ahead_.z}.part(touches, columns, motion_);
   }
+  double rub(std::vector<Touch>& touches, ContactColumns columns, double coefficient) {
+    return RigidBody{free_, ahead_.x, ahead_.z}.rub(touches, columns, coefficient, motion_);
+  }
   void drift(double time) { move(here_, time); }
 
   double tip() const { return here_.z + here_.shape.lowest(); }
