@@ -147,6 +147,10 @@ void add_invert(CLI::App& app, InvertArguments& invert, Common& common, std::vec
   InvertWords& words = invert.words;
   command->add_option("--depth", words.depth, "measured, as 85mm");
   command->add_option("--depth-error", words.depth_error, "its standard deviation, as 5mm or 5%");
+  command
+      ->add_option("--scene", words.scene,
+                   "TOML scene of any shot, in place of what is said below of sphere, speed and layer")
+      ->type_name("FILE");
   add_sphere(*command, words.sphere);
   command->add_option("--speed", words.speed, "as \"180 m/s\"");
   command->add_option("--speed-error", words.speed_error, "its standard deviation, as 2%");
@@ -165,7 +169,8 @@ void add_invert(CLI::App& app, InvertArguments& invert, Common& common, std::vec
       "One of --mu and --erosion-strain; without the lengths, widths and errors that have a default everything is "
       "needed.\n"
       "Example: percal invert --depth 85mm --depth-error 5mm --diameter 4.5mm --particle-density \"7800 kg/m3\" "
-      "--speed 179.8m/s --density \"1030 kg/m3\" --alpha 8.65 --erosion-strain 1 --layer-depth 150mm");
+      "--speed 179.8m/s --density \"1030 kg/m3\" --alpha 8.65 --erosion-strain 1 --layer-depth 150mm\n"
+      "         percal invert --depth 3.44cm --scene data/guha2009/rhombus_block.toml --mu 837kPa");
   add_common(*command, common, true, "folder for results (default: no files)");
   commands.push_back({command, [&] { return run_invert(invert, common); }, true});
 }

@@ -89,5 +89,40 @@ TEST(InvertRequest, MeshAndWidthHaveTheirRules) {
   EXPECT_NEAR(understood(words).shot.layer_width, 12 * 2.25e-3, 1e-12);
 }
 
+// Of data/guha2009, in three dimensions.
+TEST(InvertRequest, ASceneHasTheShotAndTheLayer) {
+  InvertWords words{.scene = PERCAL_DATA "/guha2009/rhombus_block.toml", .depth = "3.44 cm", .mu = "900 kPa"};
+  const InvertRequest request = understood(words);
+  EXPECT_EQ(request.sought, LayerNumber::erosion_strain);
+  EXPECT_NEAR(request.material.erosion_strain, 0.299, 1e-12) << "where the search begins";
+  LayerMaterial material = request.material;
+  material.erosion_strain = 0.4;
+  const Scene scene = scene_of(request, material);
+  EXPECT_EQ(scene.geometry, Geometry::block);
+  EXPECT_EQ(scene.target.mu_as_given, 900e3);
+  EXPECT_EQ(scene.target.convention, ModulusConvention::true_shear);
+  EXPECT_EQ(std::get<StrainErosion>(scene.target.erosion).limit, 0.4);
+  words.elements_per_radius = "7";
+  EXPECT_EQ(scene_of(understood(words), material).mesh.elements_per_radius, 7);
+}
+
+TEST(InvertRequest, WhatStandsBesideASceneIsRefusedByName) {
+  const auto said = [](InvertWords words) {
+    words.depth = words.depth.empty() ? "3.44 cm" : words.depth;
+    words.mu = "900 kPa";
+    if (words.scene.empty()) words.scene = PERCAL_DATA "/guha2009/rhombus_block.toml";
+    try {
+      understood(words);
+    } catch (const BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string("understood");
+  };
+  EXPECT_THAT(said({.layer_depth = "20 mm"}), HasSubstr("--layer-depth: found this beside --scene"));
+  EXPECT_THAT(said({.sphere = {.density = "7800 kg/m3"}}), HasSubstr("--particle-density: found this beside --scene"));
+  EXPECT_THAT(said({.depth = "20 cm"}), HasSubstr("--depth: found 200 mm; accepted: less than the depth"));
+  EXPECT_THAT(said({.scene = PERCAL_DATA "/guha2009/skin_layers.toml"}), HasSubstr("below: found further layers"));
+}
+
 }  // namespace
 }  // namespace percal

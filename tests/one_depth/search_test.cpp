@@ -1,4 +1,5 @@
 // The solver as the forward model: what was shot into is found again.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include "one_depth/small_shot.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/one_depth/page/page.hpp"
+#include "percal/text/file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace percal {
@@ -126,6 +128,47 @@ TEST_F(OneDepthSearch, WithAnErosionLengthItSaysWhatElementsLeave) {
   const OneDepth found = find_at_depth(understood(words), campaign_);
   ASSERT_TRUE(found.own().found()) << found.own().why_not;
   EXPECT_THAT(found.findings.back(), HasSubstr("judged over a length"));
+}
+
+std::string scene_of_small_shot(double mu, const std::string& particle) {
+  return fmt::format(
+      "[particle]\n{}speed = \"100 m/s\"\n[target]\ndensity = \"1000 kg/m3\"\nmu = \"{:.17g} Pa\"\nalpha = 5\n"
+      "depth = \"40 mm\"\nwidth = \"11.25 mm\"\n[target.erosion]\nstrain = 0.6931471805599453\nmeasure = \"true\"\n"
+      "[mesh]\nelements_per_radius = 4\n",
+      particle, mu);
+}
+
+std::string written(const test::TemporaryFolder& folder, const std::string& scene) {
+  write_file(folder.path("shot.toml"), scene);
+  return folder.path("shot.toml");
+}
+
+TEST_F(OneDepthSearch, ASceneOfTheSameShotHasTheSameAnswer) {
+  const test::TemporaryFolder folder;
+  const InvertRequest said = understood(test::small_shot());
+  const std::string sphere = "diameter = \"4.5 mm\"\ndensity = \"2500 kg/m3\"\n";
+  const InvertWords words{.scene = written(folder, scene_of_small_shot(said.material.mu_true, sphere)),
+                          .depth = "20 mm",
+                          .erosion_strain = "1"};
+  EXPECT_EQ(one_depth_to_json(find_at_depth(understood(words), campaign_))["ridge"],
+            one_depth_to_json(find_at_depth(said, campaign_))["ridge"]);
+}
+
+TEST_F(OneDepthSearch, FindsTheErosionStrainOfACone) {
+  const test::TemporaryFolder folder;
+  const std::string cone = "shape = \"cone\"\nradius = \"2.25 mm\"\ntip_angle = \"90 deg\"\ndensity = \"7800 kg/m3\"\n";
+  InvertWords words{.scene = written(folder, scene_of_small_shot(mu, cone)), .depth = "10 mm", .mu = "500 kPa"};
+  const InvertRequest request = understood(words);
+  const Reduction reduction = reduce(scene_of(request, request.material));
+  const Penetration shot =
+      summarise(campaign_.replicate({reduction.problem}, 5, nullptr).front(), reduction.problem, reduction.scales);
+  words.depth = std::to_string(1e3 * shot.depth.value()) + " mm";
+  const OneDepth found = find_at_depth(understood(words), campaign_);
+  ASSERT_TRUE(found.own().found()) << found.own().why_not;
+  EXPECT_LT(std::abs(off(found.own(), LayerNumber::erosion_strain, strain,
+                         {*shot.depth, *shot.standard_error / *shot.depth})),
+            3);
+  EXPECT_THAT(invert_page(one_depth_to_json(found)).summary, HasSubstr("stops the cone at 100 m/s"));
 }
 
 }  // namespace

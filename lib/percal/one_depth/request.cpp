@@ -8,6 +8,7 @@
 #include "percal/base/error.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/scene/erosion_length.hpp"
+#include "percal/scene/scene_toml.hpp"
 #include "percal/scene/width.hpp"
 #include "percal/units/words.hpp"
 
@@ -66,6 +67,100 @@ double usual_layer_width(const InvertRequest& request, double softest) {
   return usual_width(pi4, shot.density / request.material.density) * shot.radius;
 }
 
+// The number of the two that is given.
+void take_given_number(const InvertWords& words, LayerNumber sought, LayerMaterial& material) {
+  if (sought == LayerNumber::erosion_strain)
+    material.mu_true = needed(words.mu, "--mu", dimension::pressure, "the true modulus, such as 346kPa");
+  else
+    material.erosion_strain = needed(words.erosion_strain, "--erosion-strain", dimension::none, "a strain");
+}
+
+// The scene has what these options say.
+void refuse_beside_scene(InvertWords words) {
+  for (auto& [name, said] : named_texts(words)) {
+    if (said->empty() || said == &words.scene || said == &words.depth || said == &words.depth_error ||
+        said == &words.speed_error || said == &words.mu || said == &words.erosion_strain ||
+        said == &words.elements_per_radius)
+      continue;
+    std::string option = std::string("--") + name;
+    std::ranges::replace(option, '_', '-');
+    refuse_option(option, "this beside --scene", "the scene's own");
+  }
+}
+
+// Whose one layer erodes by strain.
+Scene one_layer_scene(const std::string& file) {
+  Scene scene = read_scene(file);
+  const auto refuse = [&](const std::string& key, const std::string& found, const std::string& accepted) {
+    throw BadInput({scene.source, 0, key}, found, accepted);
+  };
+  if (!scene.below.empty()) refuse("below", "further layers", "a target of one layer, whose number is looked for");
+  const LayerScene& layer = scene.target;
+  if (!std::holds_alternative<StrainErosion>(layer.erosion) || layer.further_erosion != FurtherErosion{} ||
+      !std::holds_alternative<AnySize>(layer.erosion_by_size))
+    refuse("target.erosion", "no erosion, or other limits than one strain", "one strain");
+  scene.output = {};
+  return scene;
+}
+
+// The search begins at the scene's own numbers. A width that the scene leaves to the program is that of the softest layer.
+void take_scene(const InvertWords& words, InvertRequest& request) {
+  refuse_beside_scene(words);
+  Scene scene = one_layer_scene(words.scene);
+  LayerScene& layer = scene.target;
+  const auto& strain = std::get<StrainErosion>(layer.erosion);
+  request.material = {.density = layer.density,
+                      .mu_true = true_modulus(layer.mu_as_given, layer.alpha, layer.convention),
+                      .alpha = layer.alpha,
+                      .erosion_strain = stretch_at(strain.limit, strain.measure) - 1};
+  if (const auto* average = std::get_if<AverageWithin>(&layer.erosion_average))
+    request.material.erosion_length = average->length;
+  take_given_number(words, request.sought, request.material);
+  layer.convention = ModulusConvention::true_shear;
+  layer.mu_as_given =
+      request.material.mu_true / (request.sought == LayerNumber::mu ? guess_may_be_off : 1 / ridge_factors[0]);
+  layer.width = width_of(scene);
+  request.shot = {.radius = scene.particle.radius,
+                  .density = scene.particle.density,
+                  .speed = scene.particle.speed,
+                  .layer_depth = layer.depth,
+                  .layer_width = *layer.width};
+  if (words.elements_per_radius.empty()) request.elements_per_radius = scene.mesh.elements_per_radius;
+  request.scene = std::move(scene);
+}
+
+// A sphere into a layer, option by option.
+void take_sphere(const InvertWords& words, InvertRequest& request) {
+  const auto radii = ShotRows().radii(words.sphere);
+  if (!radii) refuse_option("--diameter", "nothing", "the sphere's diameter, or its --radius, such as 4.5mm");
+  const auto densities = ShotRows().densities(words.sphere, *radii);
+  if (!densities)
+    refuse_option("--particle-density", "nothing",
+                  "the sphere's density, or its --particle-mass, such as \"7800 kg/m3\"");
+  request.shot = {
+      .radius = radii->front(),
+      .density = densities->front(),
+      .speed = needed(words.speed, "--speed", dimension::speed, "the sphere's speed, such as \"180 m/s\""),
+      .layer_depth = needed(words.layer_depth, "--layer-depth", dimension::length, "the target's depth, such as 150mm"),
+      .layer_width = 0};
+  request.material = {
+      .density = needed(words.density, "--density", dimension::density, "the layer's density, such as \"1030 kg/m3\""),
+      .alpha = alpha_of(words),
+      .erosion_strain = 1,
+      .erosion_length =
+          optional_quantity(words.erosion_length, "--erosion-length", dimension::length, positive("length"))};
+  take_given_number(words, request.sought, request.material);
+  if (request.sought == LayerNumber::mu) request.material.mu_true = guessed_modulus(request);
+  const double softest = request.sought == LayerNumber::mu ? request.material.mu_true / guess_may_be_off
+                                                           : request.material.mu_true * ridge_factors[0];
+  request.shot.layer_width = optional_quantity(words.layer_width, "--layer-width", dimension::length,
+                                               {.low = request.shot.radius,
+                                                .high = INFINITY,
+                                                .low_open = true,
+                                                .words = "a length above the sphere's radius"})
+                                 .value_or(usual_layer_width(request, softest));
+}
+
 double elements_of(const InvertWords& words, const InvertRequest& request) {
   const double usual = MeshScene{}.elements_per_radius;
   if (!words.elements_per_radius.empty())
@@ -78,7 +173,8 @@ double elements_of(const InvertWords& words, const InvertRequest& request) {
 }  // namespace
 
 std::vector<NamedText> named_texts(InvertWords& words) {
-  std::vector<NamedText> texts{{"depth", &words.depth},
+  std::vector<NamedText> texts{{"scene", &words.scene},
+                               {"depth", &words.depth},
                                {"depth_error", &words.depth_error},
                                {"speed", &words.speed},
                                {"speed_error", &words.speed_error},
@@ -116,51 +212,31 @@ InvertRequest understood(const InvertWords& words) {
                         .depth_error = {},
                         .speed_error = {},
                         .level = words.level.value_or(usual_level)};
-  const auto radii = ShotRows().radii(words.sphere);
-  if (!radii) refuse_option("--diameter", "nothing", "the sphere's diameter, or its --radius, such as 4.5mm");
-  const auto densities = ShotRows().densities(words.sphere, *radii);
-  if (!densities)
-    refuse_option("--particle-density", "nothing",
-                  "the sphere's density, or its --particle-mass, such as \"7800 kg/m3\"");
   request.depth = needed(words.depth, "--depth", dimension::length, "the measured depth, such as 85mm");
   request.depth_error = depth_error_of(words, request.depth);
-  request.shot = {
-      .radius = radii->front(),
-      .density = densities->front(),
-      .speed = needed(words.speed, "--speed", dimension::speed, "the sphere's speed, such as \"180 m/s\""),
-      .layer_depth = needed(words.layer_depth, "--layer-depth", dimension::length, "the target's depth, such as 150mm"),
-      .layer_width = 0};
   if (!words.speed_error.empty()) request.speed_error = one_share(words.speed_error, "--speed-error", relative_error);
+  if (words.scene.empty())
+    take_sphere(words, request);
+  else
+    take_scene(words, request);
   if (!(request.shot.layer_depth > std::max(request.depth, request.shot.radius)))
-    refuse_option("--layer-depth", format_quantity(request.shot.layer_depth, dimension::length),
-                  "more than the depth and the sphere's radius");
-  request.material = {
-      .density = needed(words.density, "--density", dimension::density, "the layer's density, such as \"1030 kg/m3\""),
-      .alpha = alpha_of(words),
-      .erosion_strain = 1,
-      .erosion_length =
-          optional_quantity(words.erosion_length, "--erosion-length", dimension::length, positive("length"))};
-  double softest = 0;
-  if (request.sought == LayerNumber::erosion_strain) {
-    request.material.mu_true = needed(words.mu, "--mu", dimension::pressure, "the true modulus, such as 346kPa");
-    softest = request.material.mu_true * ridge_factors[0];
-  } else {
-    request.material.erosion_strain = needed(words.erosion_strain, "--erosion-strain", dimension::none, "a strain");
-    request.material.mu_true = guessed_modulus(request);
-    softest = request.material.mu_true / guess_may_be_off;
-  }
-  request.shot.layer_width = optional_quantity(words.layer_width, "--layer-width", dimension::length,
-                                               {.low = request.shot.radius,
-                                                .high = INFINITY,
-                                                .low_open = true,
-                                                .words = "a length above the sphere's radius"})
-                                 .value_or(usual_layer_width(request, softest));
-  request.elements_per_radius = elements_of(words, request);
+    refuse_option(words.scene.empty() ? "--layer-depth" : "--depth",
+                  format_quantity(words.scene.empty() ? request.shot.layer_depth : request.depth, dimension::length),
+                  words.scene.empty() ? "more than the depth and the sphere's radius"
+                                      : "less than the depth of the scene's target");
+  if (request.elements_per_radius == 0) request.elements_per_radius = elements_of(words, request);
   first_run(request);
   return request;
 }
 
 Scene scene_of(const InvertRequest& request, const LayerMaterial& material) {
+  if (request.scene) {
+    Scene scene = *request.scene;
+    scene.target.mu_as_given = material.mu_true;
+    scene.target.erosion = StrainErosion{material.erosion_strain, StrainMeasure::engineering};
+    scene.mesh.elements_per_radius = request.elements_per_radius;
+    return scene;
+  }
   Scene scene;
   scene.mesh.elements_per_radius = request.elements_per_radius;
   return scene_of_shot(std::move(scene), request.shot, material);

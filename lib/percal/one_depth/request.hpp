@@ -12,6 +12,7 @@ namespace percal {
 
 // Texts with units, as options have them; empty where nothing is said.
 struct InvertWords {
+  std::string scene = {};  // a file: of any shot and target, in place of sphere, speed and layer
   std::string depth = {}, depth_error = {};
   SphereWords sphere = {};
   std::string speed = {}, speed_error = {};
@@ -42,15 +43,16 @@ inline constexpr int own_factor = 2;
 struct InvertRequest {
   InvertWords words;
   LayerNumber sought = LayerNumber::mu;
-  SphereShot shot;
-  LayerMaterial material;                          // the number that is looked for: where the search begins
-  double depth = 0;                                // m
+  std::optional<Scene> scene = {};  // where one is given; the shot's and the material's numbers are then its own
+  SphereShot shot;                  // of another particle: its radius as a scene has it, its density where it has one
+  LayerMaterial material;           // the number that is looked for: where the search begins
+  double depth = 0;                 // m
   std::optional<double> depth_error, speed_error;  // relative standard deviations
   double elements_per_radius = 0;
   double level = 0.95;
 };
 
-// Throws BadInput by the name of the option that is missing or cannot be understood.
+// Throws BadInput by the name of the option, or the scene's key, that is missing or cannot be understood.
 InvertRequest understood(const InvertWords& words);
 
 // A run of the request, of another material of its kind.

@@ -73,7 +73,10 @@ Json one_depth_to_json(const OneDepth& found) {
   Json ridge = Json::array();
   for (const PairOfDepth& pair : found.ridge) ridge.push_back(pair_to_json(pair, request.sought));
   Json json = page::result_head("invert", words_to_json(request.words));
-  json.update({{"title", "One depth of a shot: " + words_of(request.shot)},
+  const std::string speed = format_quantity(request.shot.speed, dimension::speed);
+  json.update({{"title", "One depth of a shot: " +
+                             (request.scene ? request.scene->particle.name + " at " + speed : words_of(request.shot))},
+               {"particle", request.scene ? Json(request.scene->particle.name) : Json()},
                {"level", request.level},
                {"looked_for", name_of(request.sought)},
                {"found", found.own().found()},

@@ -54,9 +54,10 @@ std::string summary_of(const Json& result) {
   const Json& pair = at(result, "pair");
   const Keys sought = sought_of(result), given = given_of(result);
   const auto radius = number(result, "radius_m");
-  const std::string shot =
-      fmt::format("a sphere of {} and {} at {}", length(radius ? std::optional(2 * *radius) : radius),
-                  value_words(result, "particle_density_kg_m3", 4), value_words(result, "speed_m_s", 4));
+  const std::string sphere = fmt::format("a sphere of {} and {}", length(radius ? std::optional(2 * *radius) : radius),
+                                         value_words(result, "particle_density_kg_m3", 4)),
+                    particle = text(result, "particle").empty() ? sphere : "the " + text(result, "particle"),
+                    shot = particle + " at " + value_words(result, "speed_m_s", 4);
   const std::string depth = value_words(result, "measured_depth_m"),
                     belongs = fmt::format("the {} is {}, with elements of 1/{} radius", given.words,
                                           value_of(pair, given), shown(number(result, "elements_per_radius")));
@@ -112,7 +113,7 @@ Figure ridge_figure(const Json& result) {
   Chart chart{.title = "Pairs that give this depth", .x = x.axis(true), .y = y.axis(true)};
   for (Series* one : {&line, &points, &own}) add(chart, std::move(*one));
   return {.name = "ridge",
-          .caption = fmt::format("Pairs of modulus and erosion strain that stop the sphere at {}, with {} intervals.",
+          .caption = fmt::format("Pairs of modulus and erosion strain that stop the particle at {}, with {} intervals.",
                                  value_words(result, "measured_depth_m"), level_words(result)),
           .alt = "The ridge falls from a stiff layer that erodes early to a soft one that erodes late.",
           .chart = chart};
