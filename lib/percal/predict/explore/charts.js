@@ -14,10 +14,15 @@ const units = {
   none: steps([["", 1]])
 };
 const unitOf = (kind, value) => units[kind].find(unit => Math.abs(value) >= unit.size) ?? units[kind].at(-1);
-const digitsOf = (value, digits) => Number.isFinite(value) ? String(Number(value.toPrecision(digits))) : "…";
-function inWords(value, kind, digits = 4) {
+// Zeros at the end are kept where all digits are wanted.
+function digitsOf(value, digits, all = false) {
+  if (!Number.isFinite(value)) return "…";
+  const text = value.toPrecision(digits);
+  return all && !text.includes("e") ? text : String(Number(text));
+}
+function inWords(value, kind, digits = 4, all = false) {
   const unit = unitOf(kind, value);
-  return digitsOf(value / unit.size, digits) + (unit.symbol && " " + unit.symbol);
+  return digitsOf(value / unit.size, digits, all) + (unit.symbol && " " + unit.symbol);
 }
 
 // --- axes -------------------------------------------------------------------------------------------------------

@@ -78,6 +78,7 @@ class Emulator {
   constructor(data) {
     this.data = data;
     this.inputs = Float64Array.from(data.runs.flat());
+    [this.perLength, this.perMeshLength] = [data.length, data.mesh_length].map(all => Float64Array.from(all, one => 1 / square(one)));
     this.rows = null;  // of L, K = L L^T
   }
 
@@ -88,15 +89,15 @@ class Emulator {
 
   // Of the smooth depth at the scaled inputs u, on a mesh of factor g, with the first `count` runs.                E (4)
   covariances(u, g, count = this.data.mesh.length) {
-    const { length, mesh_length, amplitude, mesh_amplitude, plane_variance, mesh } = this.data, { inputs } = this;
+    const { amplitude, mesh_amplitude, plane_variance, mesh } = this.data, { inputs, perLength, perMeshLength } = this;
     const found = new Float64Array(count), n = u.length;
     for (let i = 0; i < count; ++i) {
       let plane = 1 + g * mesh[i], s = 0, sMesh = 0;
       for (let j = 0; j < n; ++j) {
         const other = inputs[i * n + j], difference = u[j] - other;
         plane += u[j] * other;
-        s += square(difference / length[j]);
-        sMesh += square(difference / mesh_length[j]);
+        s += square(difference) * perLength[j];
+        sMesh += square(difference) * perMeshLength[j];
       }
       found[i] = plane_variance * plane + square(amplitude) * correlation(s);
       if (mesh_amplitude > 0) found[i] += square(mesh_amplitude) * g * mesh[i] * correlation(sMesh);

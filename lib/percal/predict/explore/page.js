@@ -130,7 +130,7 @@ function asCalibrated() {
 
 function put(id, value, kind) {
   found(id).value = Number.isNaN(value) ? "" : value;
-  found(id).textContent = inWords(value, kind);
+  found(id).textContent = inWords(value, kind, 4, true);
 }
 
 const chosen = (some = points()) => ({ points: some, scatter: material().scatter, freedom: material().freedom, level: given.level });
@@ -175,7 +175,7 @@ function showAnswer(here, answer) {
   passing.replaceChildren();
   if (given.passage) {
     const left = here.speed * shareLeft(here.layerDepth, answer.depth), speed = document.createElement("data");
-    Object.assign(speed, { id: "speed-left", value: left, textContent: inWords(left, "speed") });
+    Object.assign(speed, { id: "speed-left", value: left, textContent: inWords(left, "speed", 4, true) });
     passing.append("Passes the target with a probability of ", chance, "; speed left ", speed, ".");
   } else if (answer.passes >= 0.005) {
     passing.append("As deep as the target with a probability of ", chance, ". Depths near its lower face are those of a layer that holds.");
@@ -192,7 +192,7 @@ function showAnswer(here, answer) {
 function* showOverSpeed(here) {
   const isLike = one => Math.abs(one.radius_m / here.radius - 1) < 0.02 && Math.abs(one.density_kg_m3 / here.density - 1) < 0.02;
   const like = given.shots.filter(one => one.material === state.material && one.depth_m && isLike(one));
-  const speeds = shotsInto().map(one => one.speed_m_s), low = Math.min(0.8 * here.speed, ...speeds), high = Math.max(1.2 * here.speed, ...speeds);
+  const speeds = shotsInto().map(one => one.speed_m_s), low = 0.95 * Math.min(0.85 * here.speed, ...speeds), high = 1.05 * Math.max(1.15 * here.speed, ...speeds);
   const some = points().filter((_, k, all) => k % Math.ceil(all.length / 40) === 0), curve = [];
   for (let k = 0; k <= 24; ++k, yield) {
     const speed = low + (high - low) * k / 24;
