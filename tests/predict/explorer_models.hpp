@@ -35,10 +35,10 @@ inline ShotModel model_of_two_gels() {
 inline ShotModel model_of_everything() {
   constexpr int runs = 120;
   const auto points = sobol_points(runs, sphere_inputs, 1);
-  ShotModel model = smooth_model(0.06, 5);
-  model.elements = 5;
-  model.passage = true;
-  model.runs.clear();
+  ShotModel model{.elements = 5, .passage = true, .shots = steel_balls(), .runs = {}, .settings = {}, .hypotheses = {}};
+  model.shots[0].seen = "at least";
+  model.shots[1].seen = "passed";
+  model.shots[1].depth.reset();
   for (int k = 0; k < runs; ++k) {
     const auto u = points.row(k);
     SphereInputs at{std::log(3.0) + u[0] * std::log(60.0),
@@ -63,8 +63,7 @@ inline ShotModel model_of_everything() {
   model.settings = {.amplitude = 0.5, .mesh_amplitude = 0.1, .mesh_order = 0.8, .noise = 0.02, .noise_order = 0.4};
   model.settings.length.fill(3);
   model.settings.mesh_length.fill(4);
-  MaterialSample& gel = model.hypotheses.front().materials.front();
-  gel.points.clear();
+  MaterialSample gel{.name = "gel", .points = {}, .scatter = 0.06, .freedom = 5};
   Draws draws(2);
   for (int k = 0; k < 6; ++k) {
     const auto factor = [&] { return std::exp(0.1 * draws.normal()); };
@@ -83,6 +82,7 @@ inline ShotModel model_of_everything() {
     membrane.alpha = 9 * factor();
     gel.points.push_back(CoveredMaterial(layer, {{skin, 1e-3}, {membrane, 0.5e-3}}));
   }
+  model.hypotheses = {{.name = "as given", .mesh_error = -0.02, .materials = {gel}}};
   return model;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "page/markup_faults.hpp"
 #include "percal/base/version.hpp"
 #include "predict/explorer_models.hpp"
 #include "support/program.hpp"
@@ -63,12 +64,20 @@ TEST(ExplorerPage, NamesEndNoScriptAndNothingMayBeFetched) {
   EXPECT_EQ(data["hypotheses"][0]["materials"][1]["name"], "stiff \"gel\" & </script><b>more");
 }
 
+// What stands before the scripts, which hold letters behind "<" that are no tags.
+TEST(ExplorerPage, ItsMarkupIsSound) {
+  const std::string page = explorer_page(test::model_of_everything(), "gel.json");
+  const std::string elements = page.substr(0, page.find("<script")) + "</body></html>";
+  EXPECT_THAT(test::markup_faults(elements), testing::IsEmpty());
+  EXPECT_EQ(page.substr(page.rfind("</script>")), "</script>\n</body>\n</html>\n");
+}
+
 class Explore : public test::Program {
  protected:
   void SetUp() override {
     write("gel.json", Json{{"schema", result_schema},
                            {"command", "calibrate"},
-                           {"shot_model", shot_model_to_json(test::smooth_model())}}
+                           {"shot_model", shot_model_to_json(test::model_of_everything())}}
                           .dump());
   }
 };

@@ -206,9 +206,10 @@ function* showOverSpeed(here) {
     { kind: "band", class: "of-mean", points: band("mean") },
     { kind: "line", class: "layer", points: [[low, here.layerDepth], [high, here.layerDepth]] },
     { kind: "line", class: "curve", points: curve.map(one => [one.speed, one.depth]) },
-    { kind: "dots", class: "fired", points: like.map(one => [one.speed_m_s, one.depth_m]) },
+    ...["fired", "fired least"].map((name, least) => (
+      { kind: "dots", class: name, points: like.filter(one => (one.seen !== "depth") == least).map(one => [one.speed_m_s, one.depth_m]) })),
     { kind: "dots", class: "here", size: 6, points: [[here.speed, Number(found("depth").value)]] }]);
-  found("over-speed-words").textContent = `with the ${level} of one shot and, darker, of the mean; rings: shots fired with such spheres (${like.length}); dashed: the target's lower face.`;
+  found("over-speed-words").textContent = `with the ${level} of one shot and, darker, of the mean; rings: shots fired with such spheres (${like.length}), broken where they went at least so deep; dashed: the target's lower face.`;
 }
 
 function* showRidge(here) {
