@@ -220,6 +220,10 @@ TEST_F(SlowExplorer, AKeyMovesASliderAndTheNumberFollows) {
                   .get<std::string>(),
               HasSubstr(" m/s"));
   expect_as_predicted("by the arrow");
+  const double moved = number("depth");
+  choose("speed", "-3");
+  EXPECT_EQ(number("depth"), moved);
+  EXPECT_EQ(browser_->value_of("document.getElementById('speed-number').validity.valid"), false);
   // Every control is reached by the tabulator.
   browser_->value_of("document.activeElement.blur(); window.scrollTo(0, 0)");
   std::set<std::string> reached;

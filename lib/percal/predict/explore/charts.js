@@ -31,7 +31,8 @@ function inWords(value, kind, digits = 4, all = false) {
 function axisOf(label, kind, low, high, logarithmic = false) {
   const unit = unitOf(kind, logarithmic ? Math.sqrt(low * high) : high);
   const share = logarithmic ? x => Math.log(x / low) / Math.log(high / low) : x => (x - low) / (high - low);
-  return { label: unit.symbol ? `${label}, ${unit.symbol}` : label, low, high, share, ticks: ticksOf(low / unit.size, high / unit.size, logarithmic), unit };
+  const ticks = ticksOf(low / unit.size, high / unit.size, logarithmic);
+  return { label: unit.symbol ? `${label}, ${unit.symbol}` : label, share, ticks, unit };
 }
 
 function ticksOf(low, high, logarithmic) {
@@ -84,15 +85,18 @@ function draw(svg, words, x, y, marks) {
   for (const { points: all, ...mark } of marks) {
     mark.points = all.filter(numbers => numbers.every(Number.isFinite));
     if (mark.points.length === 0) continue;
-    if (mark.kind === "line") inside.append(element("path", { class: mark.class, d: "M" + mark.points.map(([a, b]) => at(a, b)).join("L") }));
-    if (mark.kind === "band")
-      inside.append(element("path", {
-        class: mark.class,
-        d: "M" + [...mark.points.map(([a, , high]) => at(a, high)), ...[...mark.points].reverse().map(([a, low]) => at(a, low))].join("L") + "Z"
-      }));
-    if (mark.kind === "dots") for (const [a, b] of mark.points) inside.append(element("circle", { class: mark.class, cx: px(a), cy: py(b), r: mark.size ?? 4 }));
+    const path = d => inside.append(element("path", { class: mark.class, d }));
+    if (mark.kind === "line") path("M" + mark.points.map(([a, b]) => at(a, b)).join("L"));
+    if (mark.kind === "band") {
+      const upper = mark.points.map(([a, , high]) => at(a, high)), lower = mark.points.map(([a, low]) => at(a, low));
+      path("M" + [...upper, ...lower.reverse()].join("L") + "Z");
+    }
+    if (mark.kind === "dots")
+      for (const [a, b] of mark.points) inside.append(element("circle", { class: mark.class, cx: px(a), cy: py(b), r: mark.size ?? 4 }));
     if (mark.kind === "bars")
-      for (const [from, to, b] of mark.points)
-        inside.append(element("rect", { class: mark.class, x: px(from) + 0.5, width: Math.max(0.5, px(to) - px(from) - 1), y: py(b), height: bottom - py(b) }));
+      for (const [from, to, b] of mark.points) {
+        const width = Math.max(0.5, px(to) - px(from) - 1);
+        inside.append(element("rect", { class: mark.class, x: px(from) + 0.5, width, y: py(b), height: bottom - py(b) }));
+      }
   }
 }

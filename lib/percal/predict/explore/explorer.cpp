@@ -107,7 +107,8 @@ std::string explorer_page(const ShotModel& model, const std::string& result) {
   const auto& files = embedded_explorer();
   Json data = explorer_data(model);
   data["result"] = result;
-  const std::string script = files.at("model.js") + files.at("charts.js") + files.at("page.js");
+  const std::string script =
+      files.at("model.js") + files.at("charts.js") + files.at("controls.js") + files.at("page.js");
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

@@ -1,8 +1,8 @@
-// The twin of `percal predict` and of the best point of `percal dose`: what a calibration says of a shot, from the data that explore.cpp
+// The twin of `percal predict` and of the best point of `percal dose`: what a calibration says of a shot, from the data that explorer.cpp
 // writes. SI; depths are ln m until they are shown. Equations: E docs/theory/emulator.md, C calibration.md, P prediction.md, D powder.md.
 "use strict";
 
-const square = x => x * x, hypot = Math.hypot;
+const square = x => x * x;
 const sum = (values, of = x => x) => values.reduce((all, x) => all + of(x), 0);
 
 // --- a shot as inputs of the emulator ---------------------------------------------------------------------------
@@ -74,7 +74,7 @@ function correlation(s) {
 }
 
 class Emulator {
-  // `data` as explore.cpp writes it: the runs' scaled inputs and mesh factors g = (h/0.1)^q, K^-1 y, and what K is made of.
+  // `data` as explorer.cpp writes it: the runs' scaled inputs and mesh factors g = (h/0.1)^q, K^-1 y, and what K is made of.
   constructor(data) {
     this.data = data;
     this.inputs = Float64Array.from(data.runs.flat());
@@ -208,7 +208,7 @@ function predict(emulator, bulk, { points, scatter, freedom, level }, shot) {
   const centres = features.map(one => emulator.mean(one) + Math.log(shot.radius));
   const byEmulator = emulator.deviation(features[0]);
   const mean = { centres, deviation: Math.max(1e-6, byEmulator), freedom: 0 };
-  const one = { centres, deviation: hypot(mean.deviation, scatter), freedom };
+  const one = { centres, deviation: Math.hypot(mean.deviation, scatter), freedom };
   const known = !Number.isNaN(byEmulator);
   return {
     depth: Math.exp(centres[0]),
