@@ -60,7 +60,7 @@ function element(name, attributes, text) {
 // `marks`: {kind, class, points}, of a band [x, low, high], a line or dots [x, y], bars [from, to, y].
 function draw(svg, words, x, y, marks) {
   const width = Math.max(240, svg.parentElement.clientWidth), height = Math.min(340, Math.max(220, 0.62 * width));
-  const left = 58, right = width - 12, top = 12, bottom = height - 46;
+  const left = 58, right = width - 20, top = 12, bottom = height - 46;
   const px = value => left + x.share(value) * (right - left), py = value => bottom - y.share(value) * (bottom - top);
   const at = (a, b) => `${px(a).toFixed(1)},${py(b).toFixed(1)}`;
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
