@@ -145,8 +145,9 @@ struct CardArguments {
 
 struct ReportArguments {
   std::vector<std::string> results;  // one, or two to compare
-  std::string file;                  // page; empty: report.html beside the first result
+  std::string file;                  // page; empty: report.html beside the first result, explore.html of `explore`
   std::string plots;                 // folder for the figures; empty: none
+  bool explore = false;              // a page to play with, of a calibration
   bool open = false;                 // show the page in the browser
 };
 

@@ -235,7 +235,10 @@ void add_report(CLI::App& app, ReportArguments& report, Common& common, std::vec
   command->add_option("results", report.results, "result.json of a command or its folder, or two of the same command")
       ->required()
       ->expected(1, 2);
-  command->add_option("-o,--file", report.file, "page to write (default: report.html beside the result)");
+  command->add_option("-o,--file", report.file,
+                      "page to write (default: report.html or explore.html beside the result)");
+  command->add_flag("--explore", report.explore,
+                    "of a calibration: a page to play with, sliders for shot and material, depth, ridge and dose");
   command->add_option("--plots", report.plots, "folder for every figure as SVG, PNG and CSV (default: none)");
   command->add_flag("--open", report.open, "show the page in the browser, by xdg-open");
   command->add_flag("--check", common.check, "read the results, write nothing");

@@ -1,4 +1,4 @@
-// percal report RESULT: a result as a page; two results side by side.
+// percal report RESULT: a result as a page; two results side by side; a calibration as a page to play with.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -8,6 +8,8 @@
 #include "pages.hpp"
 #include "percal/base/child_process.hpp"
 #include "percal/page/html.hpp"
+#include "percal/predict/explore/explorer.hpp"
+#include "percal/predict/shot_words.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal::tools {
@@ -16,7 +18,7 @@ namespace {
 // Beside the result, unless the arguments say where.
 std::string page_file(const ReportArguments& arguments, const std::string& result) {
   if (!arguments.file.empty()) return arguments.file;
-  return std::filesystem::path(result).replace_filename("report.html").string();
+  return std::filesystem::path(result).replace_filename(arguments.explore ? "explore.html" : "report.html").string();
 }
 
 // Shows the page in the user's browser. Throws IoFailure where xdg-open is not there or fails.
@@ -37,9 +39,24 @@ void say_written(const ReportArguments& arguments, const std::string& file, cons
   if (!arguments.plots.empty()) print("plots: " + arguments.plots + "\n");
 }
 
+Exit run_explore(const ReportArguments& arguments, const Common& common) {
+  if (arguments.results.size() != 1) refuse_option("--explore", "two results", "one, of percal calibrate");
+  if (!arguments.plots.empty()) refuse_option("--plots", "this beside --explore", "one of the two");
+  const NamedResult read = read_json_result(arguments.results.front());
+  const ShotModel model = kept_shot_model(read.json, read.file);
+  const std::string file = page_file(arguments, read.file);
+  if (!common.check) ensure_writable_file(file);
+  const std::string page = explorer_page(model, read.file);
+  if (!common.check) write_file(file, page);
+  if (!common.quiet) print(fmt::format("{}: a page to play with\n", common.check ? read.file : file));
+  if (arguments.open && !common.check) open_page(file);
+  return Exit::done;
+}
+
 }  // namespace
 
 Exit run_report(const ReportArguments& arguments, const Common& common) {
+  if (arguments.explore) return run_explore(arguments, common);
   const page::ReadResult first = read_result(arguments.results[0]);
   const page::Page page =
       arguments.results.size() == 1 ? first.page : page::compared(first, read_result(arguments.results[1]));

@@ -9,6 +9,7 @@
 //
 // See docs/theory/prediction.md.
 #pragma once
+#include "percal/predict/explore/explorer.hpp"
 #include "percal/predict/mixture.hpp"
 #include "percal/predict/page/page.hpp"
 #include "percal/predict/predictor.hpp"
