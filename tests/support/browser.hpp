@@ -15,6 +15,29 @@ namespace percal::test {
 
 inline bool chromium_is_there() { return std::system("command -v chromium > /dev/null 2>&1") == 0; }
 
+// An expression for Browser::value_of(): what of a page is wider than the window and in no box that scrolls, and what is cut or too small to
+// read in its plots; "" where all fits.
+inline constexpr const char* what_does_not_fit = R"((() => {
+  const faults = [], width = document.documentElement.clientWidth;
+  const scrolls = e => e && (e.classList.contains('scroll') || scrolls(e.parentElement));
+  if (document.documentElement.scrollWidth > width) faults.push('the page is ' + document.documentElement.scrollWidth + ' wide');
+  for (const e of document.querySelectorAll('body *')) {
+    const box = e.getBoundingClientRect();
+    if (box.width === 0 || e.closest('svg') && e.tagName !== 'svg' || scrolls(e.parentElement)) continue;
+    if (box.right > width + 1 || box.left < -1) faults.push(e.tagName + ' "' + e.textContent.slice(0, 40) + '" ' + e.id + ' ends at ' + box.right);
+    const holdsMore = e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0 && getComputedStyle(e).display !== 'inline';
+    if (!scrolls(e) && !['svg', 'INPUT', 'SELECT'].includes(e.tagName) && holdsMore)
+      faults.push(e.tagName + ' holds ' + e.scrollWidth + ' in ' + e.clientWidth);
+  }
+  for (const text of document.querySelectorAll('svg text')) {
+    const svg = text.closest('svg').getBoundingClientRect(), box = text.getBoundingClientRect();
+    if (svg.width > 0 && (box.left < svg.left - 1 || box.right > svg.right + 1 || box.top < svg.top - 1 || box.bottom > svg.bottom + 1))
+      faults.push('cut in a plot: ' + text.textContent.trim());
+    if (svg.width > 0 && box.height > 0 && box.height < 9) faults.push('tiny in a plot: ' + text.textContent.trim());
+  }
+  return faults.join('; ');
+})())";
+
 class Browser {
  public:
   using Json = nlohmann::json;
