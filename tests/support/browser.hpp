@@ -26,7 +26,8 @@ inline constexpr const char* what_does_not_fit = R"((() => {
     if (box.width === 0 || e.closest('svg') && e.tagName !== 'svg' || scrolls(e.parentElement)) continue;
     if (box.right > width + 1 || box.left < -1) faults.push(e.tagName + ' "' + e.textContent.slice(0, 40) + '" ' + e.id + ' ends at ' + box.right);
     const holdsMore = e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0 && getComputedStyle(e).display !== 'inline';
-    if (!scrolls(e) && !['svg', 'INPUT', 'SELECT'].includes(e.tagName) && holdsMore)
+    const hasWords = [...e.childNodes].some(child => child.nodeType === Node.TEXT_NODE && child.data.trim());
+    if (!scrolls(e) && hasWords && holdsMore)
       faults.push(e.tagName + ' holds ' + e.scrollWidth + ' in ' + e.clientWidth);
   }
   for (const text of document.querySelectorAll('svg text')) {
