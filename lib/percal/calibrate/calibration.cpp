@@ -46,12 +46,12 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
       const CoveredMaterial material = target_at(job, read, job.targets[shot.target], natural);
       const double scatter = fit.best().scatter[shot.group];
       const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
-      targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6)});
+      targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6), shot.number});
       const auto drawn = static_cast<int>(candidates.size());
       const auto on_mesh = [&](double mesh) {
         return shot_problem(job, shot, material, drawn_mesh(mesh_of(shot, material, mesh), seed, drawn));
       };
-      candidates.push_back({on_mesh(job.training.coarse), on_mesh(job.training.fine)});
+      candidates.push_back({on_mesh(job.training.coarse), on_mesh(job.training.fine), shot.number});
     }
   }
 }
@@ -79,7 +79,7 @@ std::string why_enough(const CalibrationJob& job, const Training& training, doub
 bool best_points_hold(const CalibrationJob& job, const FittedHypotheses& fitted, Training& training, Campaign& campaign,
                       const CalibrationLimits& limits, const Announce& announce) {
   const SingleFreshRuns runs =
-      single_fresh_runs(job, fitted, training.emulator(), campaign, limits.deadline(share_for_training));
+      single_fresh_runs(job, fitted, training.emulators(), campaign, limits.deadline(share_for_training));
   announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
                        runs.worst_spread));
   if (runs.worst_spread <= trusted_spread) return true;
@@ -91,8 +91,9 @@ bool best_points_hold(const CalibrationJob& job, const FittedHypotheses& fitted,
 std::string why_hopeless(const Training& training) {
   if (training.failures()) return *training.failures();
   if (training.has_emulator()) return "";
-  return training.out_of_time() ? "the budget ended before there were enough runs for an emulator"
-                                : "too few runs came to rest for an emulator: wider bounds or more runs";
+  if (training.out_of_time()) return "the budget ended before there were enough runs for an emulator";
+  const std::string untold = training.untold();
+  return untold.empty() ? "too few runs came to rest for an emulator: wider bounds or more runs" : untold;
 }
 
 // Rounds of fitting and running until the emulator is surer than the data, in all the hypotheses.
@@ -109,7 +110,7 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
     std::vector<Training::Candidate> candidates;
     double worst = 0, emulator = 0, data = 0;
     for (int k = 0; k < count_of(job.hypotheses); ++k) {
-      JobModel model = finite_element_model(job, job.hypotheses[k], training.emulator(), element_size(job));
+      JobModel model = finite_element_model(job, job.hypotheses[k], training.emulators(), element_size(job));
       JobFit fit = fit_job(job, model, used_shots(job), quick_search(), starts[k]);
       if (round % 3 != 2)
         starts[k] = fit.at;  // now and then from everywhere
@@ -129,8 +130,9 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
     report.error_at_optimum = emulator;
     report.data_error = data;
     if (!report.rounds.empty()) report.rounds.back().error = emulator;
-    announce(fmt::format("{} runs, emulator's error at the optimum {}, data's {}", training.emulator().runs().size(),
-                         page::rough_percent(emulator), page::rough_percent(data)));
+    announce(fmt::format("{} runs, emulator's error at the optimum {}, data's {}",
+                         training.emulators().depth.runs().size(), page::rough_percent(emulator),
+                         page::rough_percent(data)));
     trained.why = why_enough(job, training, worst);
     if (!trained.why.empty()) {
       if (training.out_of_time() || checks++ == most_checks ||
@@ -142,12 +144,18 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
   }
 }
 
-void finish_report(EmulatorReport& report, const Emulator& emulator) {
-  const LeaveOneOut check = emulator.leave_one_out();
-  report.settings = emulator.settings();
+void finish_report(EmulatorReport& report, const Emulators& emulators, double verify) {
+  const LeaveOneOut check = emulators.depth.leave_one_out();
+  report.settings = emulators.depth.settings();
   report.leave_one_out = check.root_mean_square;
   report.standardised_deviation = check.standardised_deviation;
   report.coverage95 = check.coverage95;
+  for (BesideReport& beside : report.beside) {
+    const Emulator& emulator = emulators.beside.at(beside.number);
+    for (const TrainingRun& run : emulator.runs()) beside.mean += std::exp(run.log_depth) / beside.runs;
+    beside.noise = emulator.noise(1 / verify);
+    beside.leave_one_out = emulator.leave_one_out().root_mean_square;
+  }
 }
 
 void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::vector<FreshRun> fresh) {
@@ -162,20 +170,20 @@ void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::ve
 }
 
 // Every hypothesis, side by side; then the fresh runs of all, which have all the threads. No emulator: no shots.
-std::vector<HypothesisResult> read_all(const CalibrationJob& job, const std::optional<Emulator>& emulator,
+std::vector<HypothesisResult> read_all(const CalibrationJob& job, const std::optional<Emulators>& emulators,
                                        Campaign& campaign, const CalibrationLimits& limits, const Announce& announce) {
   FittedHypotheses fitted{std::vector<JobModel>(job.hypotheses.size()), std::vector<JobFit>(job.hypotheses.size())};
   std::vector<HypothesisResult> results(job.hypotheses.size());
   campaign.side_by_side(count_of(job.hypotheses), [&](int k) {
     const Hypothesis& hypothesis = job.hypotheses[k];
-    fitted.models[k] = finite_element_model(job, hypothesis, emulator, element_size(job));
+    fitted.models[k] = finite_element_model(job, hypothesis, emulators, element_size(job));
     fitted.fits[k] = fit_job(job, fitted.models[k], used_shots(job), thorough_search());
-    const JobModel without_mesh = finite_element_model(job, hypothesis, emulator, 0);
+    const JobModel without_mesh = finite_element_model(job, hypothesis, emulators, 0);
     results[k] = read_out(job, k, fitted.models[k], without_mesh, fitted.fits[k], limits);
   });
   for (const Hypothesis& hypothesis : job.hypotheses) announce(fmt::format("\"{}\" is fitted", hypothesis.name));
-  if (!emulator) return results;
-  auto fresh = fresh_runs(job, fitted, *emulator, campaign, limits.deadline(share_for_fresh_runs));
+  if (!emulators) return results;
+  auto fresh = fresh_runs(job, fitted, *emulators, campaign, limits.deadline(share_for_fresh_runs));
   for (int k = 0; k < count_of(job.hypotheses); ++k) {
     const std::size_t missing = fitted.fits[k].shots.size() - fresh[k].size();
     if (missing > 0)
@@ -212,17 +220,19 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
     training.emplace(job, &store, campaign, limits);
     const Trained trained = train(job, *training, campaign, limits, announce);
     training->report().stopped = trained.why;
-    if (training->has_emulator()) finish_report(training->report(), training->emulator());
+    if (training->has_emulator()) finish_report(training->report(), training->emulators(), job.training.verify);
     result.emulator = training->report();
     if (trained.fitted.fits.empty()) hopeless = trained.why;
   }
   if (hopeless.empty())
     result.hypotheses =
-        read_all(job, training ? std::optional(training->emulator()) : std::nullopt, campaign, limits, announce);
+        read_all(job, training ? std::optional(training->emulators()) : std::nullopt, campaign, limits, announce);
   else
     result.findings.push_back("No hypothesis was fitted: " + hopeless + ".");
-  if (training && training->has_emulator()) result.shot_model = kept_model(job, training->emulator(), result);
-  if (job.dehn && !used_shots(job).empty()) result.dehn = fit_dehn(job);
+  if (training && training->has_emulator()) result.shot_model = kept_model(job, training->emulators(), result);
+  const bool any_depth = std::ranges::any_of(
+      job.shots, [](const MeasuredShot& shot) { return shot.used && shot.number == RunNumber::depth; });
+  if (job.dehn && any_depth) result.dehn = fit_dehn(job);
   const auto findings = overall_findings(job, result);
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());
   const CampaignCost cost = campaign.cost();

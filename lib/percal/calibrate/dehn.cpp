@@ -64,13 +64,27 @@ JobModel dehn_model(const CalibrationJob& job) {
   return model;
 }
 
+namespace {
+
+// What another number tells of the deepest depth, the only one that the closed form has: a sphere was at least as deep as it rests.
+void bound_the_depth(MeasuredShot& shot) {
+  const bool is_deeper = kind_of(shot.number).over_depth && shot.datum != ShotDatum::at_most;
+  shot.number = RunNumber::depth;
+  shot.datum = is_deeper ? ShotDatum::at_least : ShotDatum::none;
+  shot.used = shot.used && is_deeper;
+}
+
+}  // namespace
+
 DehnResult fit_dehn(const CalibrationJob& whole) {
   CalibrationJob job = whole;
   for (MeasuredShot& shot :
        job.shots) {  // its depth is that of a body without end: nothing of the speed left behind a layer
-    if (shot.datum != ShotDatum::speed_left) continue;
-    shot.datum = ShotDatum::passed;
-    shot.depth = shot.layer_depth;
+    if (shot.datum == ShotDatum::speed_left) {
+      shot.datum = ShotDatum::passed;
+      shot.depth = shot.layer_depth;
+    }
+    if (shot.number != RunNumber::depth) bound_the_depth(shot);
   }
   const JobModel model = dehn_model(job);
   const JobFit fit = fit_job(job, model, used_shots(job), thorough_search());

@@ -73,7 +73,13 @@ int place_of(const MaterialNumber& number, const std::vector<int>& of_job) {
   return found == of_job.end() ? -1 : static_cast<int>(found - of_job.begin());
 }
 
-ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, double h, const VectorXd& searched,
+std::vector<RunNumber> numbers_of(std::span<const MeasuredShot> shots) {
+  std::vector<RunNumber> numbers;
+  for (const MeasuredShot& shot : shots) numbers.push_back(shot.number);
+  return numbers;
+}
+
+ModelAnswer emulated_depths(const Context& context, const Emulators& emulators, double h, const VectorXd& searched,
                             std::span<const MeasuredShot> shots, Want want) {
   const auto natural = context.natural(searched);
   std::vector<SphereInputs> at;
@@ -93,7 +99,7 @@ ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, do
     for (std::size_t k = 0; k < target.covers.size(); ++k)
       chain.back() += by_parameters(k + 1, target.covers[k].material);
   }
-  const DepthAnswers depths = emulator.depth(at, h, want == Want::values_and_covariance);
+  const DepthAnswers depths = emulators.answers(at, numbers_of(shots), h, want == Want::values_and_covariance);
   ModelAnswer answer;
   answer.value = depths.log_depth;
   answer.jacobian.resize(depths.log_depth.size(), searched.size());
@@ -105,8 +111,8 @@ ModelAnswer emulated_depths(const Context& context, const Emulator& emulator, do
   return answer;
 }
 
-VectorXd emulated_speed_exponents(const Context& context, const Emulator& emulator, double h, const VectorXd& searched,
-                                  std::span<const MeasuredShot> shots) {
+VectorXd emulated_speed_exponents(const Context& context, const Emulators& emulators, double h,
+                                  const VectorXd& searched, std::span<const MeasuredShot> shots) {
   const auto natural = context.natural(searched);
   std::vector<SphereInputs> at;
   MatrixXd along(static_cast<Eigen::Index>(shots.size()), sphere_inputs);
@@ -116,7 +122,7 @@ VectorXd emulated_speed_exponents(const Context& context, const Emulator& emulat
     at.push_back(inputs.at);
     along.row(k) = inputs.by_log_speed.transpose();
   }
-  return emulator.depth(at, h, false).gradient.cwiseProduct(along).rowwise().sum();
+  return emulators.answers(at, numbers_of(shots), h, false).gradient.cwiseProduct(along).rowwise().sum();
 }
 
 // d nominal stress / d (ln mu, alpha) by the derivative-carrying form of the law: two numbers, done by hand with a small struct.
@@ -238,8 +244,8 @@ std::vector<Datum> curve_data(const CalibrationJob& job) {
   return data;
 }
 
-JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, std::optional<Emulator> emulator,
-                              double h) {
+JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis,
+                              std::optional<Emulators> emulators, double h) {
   auto context = std::make_shared<Context>();
   context->job = job;
   context->hypothesis = hypothesis;
@@ -267,8 +273,8 @@ JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypot
                                      ? std::vector<RelaxingRow>{}
                                      : relaxing_rows(curve.data, histories_of(curve.data)));
   JobModel model = context->layout;  // its functions are still empty
-  if (emulator) {
-    const auto own = std::make_shared<const Emulator>(std::move(*emulator));
+  if (emulators) {
+    const auto own = std::make_shared<const Emulators>(std::move(*emulators));
     model.log_depths = [context, own, h](const VectorXd& searched, std::span<const MeasuredShot> shots, Want want) {
       return emulated_depths(*context, *own, h, searched, shots, want);
     };

@@ -36,9 +36,21 @@ std::vector<Expected> expected(const CalibrationJob& job, const FittedHypotheses
   return all;
 }
 
-double noise_of(const CalibrationJob& job, const Emulator& emulator) { return emulator.noise(1 / job.training.verify); }
+// What was measured of the shot, as a run has it; m.
+std::optional<double> number_of_run(const MeasuredShot& shot, const Problem& problem, const ImpactResult& result) {
+  const RunNumberKind& kind = kind_of(shot.number);
+  const auto over = kind.over_depth ? reach_of(problem, result) : std::optional(1.0);
+  if (shot.number == RunNumber::depth || !over) return over ? std::optional(*over * shot.radius) : over;
+  const auto log_share = kind.log_of(result);
+  return log_share ? std::optional(*over * std::exp(*log_share) * shot.radius) : std::nullopt;
+}
 
-std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot, double noise,
+// Why it has none.
+std::string ending_of(const ImpactResult& result) {
+  return result.outcome == Outcome::stopped && result.aftermath ? word(result.aftermath->ending) : word(result.outcome);
+}
+
+std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot, const Emulators& emulators,
                                 const std::vector<std::optional<Evaluation>>& runs) {
   FreshRun fresh{.shot = shot.shot,
                  .elements_per_radius = shot.problem.elements_per_radius,
@@ -46,12 +58,15 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
                  .outcome = word(Outcome::stopped),
                  .emulated = std::exp(shot.log_depth)};
   if (has_erosion_length(job)) fresh.elements_in_length = job.training.verify;
+  const MeasuredShot& measured = job.shots[shot.shot];
+  const double noise = emulators.noise(measured.number, 1 / job.training.verify);
   std::vector<double> depths;
   for (const auto& run : runs) {
     if (!run) continue;
     ++fresh.runs;
-    if (const auto reach = reach_of(shot.problem, run->result)) depths.push_back(*reach * job.shots[shot.shot].radius);
-    if (run->result.outcome != Outcome::stopped) fresh.outcome = word(run->result.outcome);
+    const auto number = number_of_run(measured, shot.problem, run->result);
+    if (number) depths.push_back(*number);
+    if (!number || run->result.outcome != Outcome::stopped) fresh.outcome = ending_of(run->result);
   }
   if (fresh.runs == 0) return std::nullopt;
   if (static_cast<int>(depths.size()) == fresh.runs) {
@@ -64,7 +79,7 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
 
 }  // namespace
 
-SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
+SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
                                   Campaign& campaign, const Campaign::Deadline& deadline) {
   SingleFreshRuns runs;
   std::vector<std::vector<Expected>> shots;
@@ -79,19 +94,18 @@ SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypothe
   }
   Progress progress("runs at the best points", static_cast<long>(runs.problems.size()), deadline);
   runs.evaluations = campaign.evaluate_by(deadline, runs.problems, &progress);
-  const double noise = noise_of(job, emulator);
   std::size_t i = 0;
   for (const auto& of_hypothesis : shots) {
     std::vector<FreshRun> fresh;
     for (const Expected& shot : of_hypothesis)
-      if (auto found = summary(job, shot, noise, {runs.evaluations[i++]})) fresh.push_back(std::move(*found));
+      if (auto found = summary(job, shot, emulators, {runs.evaluations[i++]})) fresh.push_back(std::move(*found));
     runs.worst_spread = std::max(runs.worst_spread, spread(fresh));
   }
   return runs;
 }
 
 std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted,
-                                              const Emulator& emulator, Campaign& campaign,
+                                              const Emulators& emulators, Campaign& campaign,
                                               const Campaign::Deadline& deadline) {
   const auto replicates = static_cast<std::size_t>(job.training.verify_replicates);
   std::vector<std::vector<Expected>> shots;
@@ -107,14 +121,13 @@ std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const F
   Progress progress("fresh runs at the best points", static_cast<long>(problems.size()), deadline);
   const auto runs = campaign.evaluate_by(deadline, problems, &progress);
 
-  const double noise = noise_of(job, emulator);
   std::vector<std::vector<FreshRun>> fresh(shots.size());
   std::size_t place = 0;  // among the walks
   for (std::size_t k = 0; k < shots.size(); ++k)
     for (const Expected& shot : shots[k]) {
       std::vector<std::optional<Evaluation>> of_shot;
       for (std::size_t i = place; i < runs.size(); i += walks.size()) of_shot.push_back(runs[i]);
-      if (auto found = summary(job, shot, noise, of_shot)) fresh[k].push_back(std::move(*found));
+      if (auto found = summary(job, shot, emulators, of_shot)) fresh[k].push_back(std::move(*found));
       ++place;
     }
   return fresh;

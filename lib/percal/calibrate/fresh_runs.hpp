@@ -21,13 +21,13 @@ struct SingleFreshRuns {
   std::vector<std::optional<Evaluation>> evaluations;
   double worst_spread = 0;  // under the hypothesis where spread() is largest
 };
-SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulator& emulator,
+SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
                                   Campaign& campaign, const Campaign::Deadline& deadline);
 
 // The same shots with their replicates over the mesh phase: [hypothesis][fitted shot]. Before the deadline every shot gets its first
 // replicate before any gets a second; shots that got none are left out.
 std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted,
-                                              const Emulator& emulator, Campaign& campaign,
+                                              const Emulators& emulators, Campaign& campaign,
                                               const Campaign::Deadline& deadline);
 
 // The root mean square of (ln depth - ln emulated) over the emulator's stated error, noise included: 1 where that error is right. 0

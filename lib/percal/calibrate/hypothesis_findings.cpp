@@ -280,6 +280,18 @@ void closed_form_beside(const CalibrationResult& result, std::vector<std::string
         "Dehn's closed form, two numbers for a material, predicts better in {} of {} predictions.", better, tasks));
 }
 
+// How far the solver knows what it says beside the depth.
+void numbers_beside_depth(const CalibrationResult& result, std::vector<std::string>& sentences) {
+  for (const BesideReport& beside : result.emulator.beside) {
+    if (!(beside.mean > 0)) continue;
+    sentences.push_back(fmt::format(
+        "Of {} runs {} told the {}: {} is {:.2g} in their mean, and one run scatters by {} "
+        "about it.{}",
+        beside.runs + beside.without, beside.runs, kind_of(beside.number).words, kind_of(beside.number).learnt,
+        beside.mean, page::rough_percent(beside.noise), kind_of(beside.number).caution));
+  }
+}
+
 void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::vector<std::string>& sentences) {
   if (job.shots.empty() || result.hypotheses.empty()) return;
   const double width = job.shots.front().layer_width / job.shots.front().radius;
@@ -303,6 +315,7 @@ std::vector<std::string> overall_findings(const CalibrationJob& job, const Calib
   spread_over_hypotheses(job, result, sentences);
   fresh_against_emulated(job, result, sentences);
   closed_form_beside(result, sentences);
+  numbers_beside_depth(result, sentences);
   the_wall(job, result, sentences);
   return sentences;
 }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "percal/campaign/run_numbers.hpp"
 #include "percal/estimate/least_squares.hpp"
 #include "percal/fit/points/curve_data.hpp"
 #include "percal/material/conventions.hpp"
@@ -76,8 +78,8 @@ struct CalibrationTarget {
   std::vector<TargetCover> covers = {};  // the next to it first
 };
 
-// What was seen of a shot: its depth; a depth that is no smaller or no larger than one; whether it passed its layer; the speed that was
-// left to it behind the layer.
+// What was seen of a shot: its depth, or another of its numbers; one that is no smaller or no larger than this; whether it passed its layer;
+// the speed that was left to it behind the layer.
 enum class ShotDatum { depth, at_least, at_most, passed, stopped, speed_left, none };
 
 inline const char* word(ShotDatum datum) {
@@ -102,9 +104,10 @@ struct MeasuredShot : SphereShot {  // all shots of a job have one width in radi
   int target = 0;          // of CalibrationJob::targets
   double speed_error = 0;  // m/s, standard deviation
   ShotDatum datum = ShotDatum::depth;
+  RunNumber number = RunNumber::depth;  // which one was measured, where one was
   double depth =
-      0;  // m: measured, or bounded by this; of passed and stopped the layer's depth; of a speed left the reach (invert/reach.hpp)
-  double depth_error = 0;  // m, standard deviation of this depth where one is known
+      0;  // m: that number, or bounded by this; of passed and stopped the layer's depth; of a speed left the reach (invert/reach.hpp)
+  double depth_error = 0;  // m, standard deviation of it where one is known
   double speed_left = 0;   // m/s, of a datum that is one
 
   bool is_number() const { return datum == ShotDatum::depth || datum == ShotDatum::speed_left; }
@@ -114,6 +117,18 @@ struct MeasuredShot : SphereShot {  // all shots of a job have one width in radi
   std::map<std::string, std::string> row;  // its row of the table, for filters of cross-validation
   std::string file = {};                   // the table; empty where the job says the shot itself
 };
+
+// Whether what was seen of it says about how deep it went.
+inline bool tells_depth(const MeasuredShot& shot) {
+  return shot.datum != ShotDatum::none && kind_of(shot.number).over_depth;
+}
+
+// "at least", "final depth", "final depth at least": what was seen, with the number that it is of where that is not the deepest depth.
+inline std::string seen_words(const MeasuredShot& shot) {
+  if (shot.number == RunNumber::depth) return word(shot.datum);
+  const std::string words = kind_of(shot.number).words;
+  return shot.datum == ShotDatum::depth ? words : words + " " + word(shot.datum);
+}
 
 struct ShotSet {
   std::string name;
@@ -223,6 +238,14 @@ inline bool has_erosion_length(const CalibrationJob& job) {
 inline bool learns_passage(const CalibrationJob& job) {
   return job.training.passage ||
          std::ranges::any_of(job.shots, [](const MeasuredShot& shot) { return is_of_passage(shot.datum); });
+}
+
+// The numbers beside the depth that its shots tell, each once.
+inline std::set<RunNumber> numbers_of(const CalibrationJob& job) {
+  std::set<RunNumber> numbers;
+  for (const MeasuredShot& shot : job.shots)
+    if (shot.number != RunNumber::depth) numbers.insert(shot.number);
+  return numbers;
 }
 
 // What the training meshes count.

@@ -86,6 +86,15 @@ MatrixXd full_covariance(const JobModel& model, const JobFit& fit) {
   return covariance;
 }
 
+// ln of the deepest depth (the reach) of shots of which `answer` has the numbers.
+VectorXd log_deepest(const JobModel& model, const VectorXd& at, std::vector<MeasuredShot> shots,
+                     const ModelAnswer& answer) {
+  if (std::ranges::all_of(shots, [](const MeasuredShot& shot) { return shot.number == RunNumber::depth; }))
+    return answer.value;
+  for (MeasuredShot& shot : shots) shot.number = RunNumber::depth;
+  return model.log_depths(at, shots, Want::values).value;
+}
+
 // Of a prediction that scatters as the data of a group do.
 double prediction_quantile(const JobFit& fit, int group, double level) {
   const double upper = 0.5 + level / 2, freedom = scatter_freedom(fit, group);
@@ -149,6 +158,7 @@ std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& mo
   const ModelAnswer answer = model.log_depths(fit.at, measured, Want::values_and_covariance);
   const VectorXd exponents = model.speed_exponents(fit.at, measured);
   const MatrixXd of_parameters = answer.jacobian * full_covariance(model, fit) * answer.jacobian.transpose();
+  const VectorXd log_reach = log_deepest(model, fit.at, measured, answer);
   std::map<int, double> quantiles;  // of each group: what sides alone tell is a likelihood of its own
   std::vector<ShotDepth> depths;
   for (std::size_t k = 0; k < shots.size(); ++k) {
@@ -166,8 +176,9 @@ std::vector<ShotDepth> shot_depths(const CalibrationJob& job, const JobModel& mo
     depth.fitted = std::find(fit.shots.begin(), fit.shots.end(), shots[k]) != fit.shots.end();
     constexpr double least_deviation = 1e-9;
     depth.passes =
-        std::exp(log_normal_cdf((answer.value[i] - std::log(shot.layer_depth)) / std::max(deviation, least_deviation)));
+        std::exp(log_normal_cdf((log_reach[i] - std::log(shot.layer_depth)) / std::max(deviation, least_deviation)));
     if (shot.is_number()) depth.deviation = depth.depth / shot.depth - 1;
+    if (shot.number != RunNumber::depth) depth.deepest = std::exp(log_reach[i]);
     depths.push_back(depth);
   }
   return depths;

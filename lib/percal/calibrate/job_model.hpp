@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "percal/calibrate/job.hpp"
-#include "percal/invert/emulator.hpp"
+#include "percal/campaign/run_numbers.hpp"
 
 namespace percal {
 
@@ -15,19 +15,19 @@ struct JobModel {
   std::vector<FreeParameter> parameters;
   std::vector<int> of_job;  // job parameter of each; empty where they are not the job's
 
-  // ln of the depth in m of shots into the job's materials, measured ones and others.
+  // ln of what is measured of shots into the job's materials (MeasuredShot::number) in m, of those that were fired and of others.
   std::function<ModelAnswer(const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots, Want want)>
       log_depths;
-  // d ln depth / d ln speed of such shots.
+  // d ln of it / d ln speed.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& searched, std::span<const MeasuredShot> shots)> speed_exponents;
   // Stresses over their scales (see curve_data), all curves one after the other; empty where the model has none.
   std::function<ModelAnswer(const Eigen::VectorXd& searched, Want want)> stresses;
 };
 
-// The job's parameters that the hypothesis leaves free; depths by the emulator on a mesh of element size h. Without an emulator, which
-// is for a job without shots, there are none.
-JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis, std::optional<Emulator> emulator,
-                              double h);
+// The job's parameters that the hypothesis leaves free; depths by the emulators on a mesh of element size h. Without them, which is for
+// a job without shots, there are none.
+JobModel finite_element_model(const CalibrationJob& job, const Hypothesis& hypothesis,
+                              std::optional<Emulators> emulators, double h);
 
 // One drag coefficient c for all, one strength s for each material that has a parameter of its own for the modulus.
 JobModel dehn_model(const CalibrationJob& job);

@@ -10,16 +10,26 @@ namespace {
 
 constexpr int sample_size = 120;  // points of the sample
 
-// The scatter groups of a target's fitted shots, of all its shots where none is fitted, of all shots where it has none.
-std::vector<int> groups_of(const CalibrationJob& job, int target) {
-  std::vector<int> fitted, own, all;
+// The scatter groups of a target's fitted shots of which the number was measured, of all its such shots where none is fitted, of all such
+// shots where it has none, of all shots.
+std::vector<int> groups_of(const CalibrationJob& job, int target, RunNumber number) {
+  std::vector<int> fitted, own, such, all;
   for (const MeasuredShot& shot : job.shots) {
     all.push_back(shot.group);
+    if (shot.number != number) continue;
+    such.push_back(shot.group);
     if (shot.target != target) continue;
     own.push_back(shot.group);
     if (shot.used) fitted.push_back(shot.group);
   }
-  return !fitted.empty() ? fitted : !own.empty() ? own : all;
+  return !fitted.empty() ? fitted : !own.empty() ? own : !such.empty() ? such : all;
+}
+
+// The largest of them.
+SampleScatter scatter_of(const CalibrationJob& job, const JobFit& fit, int target, RunNumber number) {
+  const auto groups = groups_of(job, target, number);
+  const int group = *std::ranges::max_element(groups, {}, [&](int g) { return fit.best().scatter[g]; });
+  return {fit.best().scatter[group], scatter_freedom(fit, group)};
 }
 
 }  // namespace
@@ -28,12 +38,11 @@ ShotHypothesis for_shots(const CalibrationJob& job, int hypothesis, const JobMod
   const Hypothesis& read = job.hypotheses[hypothesis];
   ShotHypothesis kept{.name = read.name, .materials = {}};
   for (std::size_t t = 0; t < job.targets.size(); ++t) {
-    const auto groups = groups_of(job, static_cast<int>(t));
-    const int group = *std::ranges::max_element(groups, {}, [&](int g) { return fit.best().scatter[g]; });
-    kept.materials.push_back({.name = job.targets[t].name,
-                              .points = {},
-                              .scatter = fit.best().scatter[group],
-                              .freedom = scatter_freedom(fit, group)});
+    const SampleScatter of_depth = scatter_of(job, fit, static_cast<int>(t), RunNumber::depth);
+    kept.materials.push_back(
+        {.name = job.targets[t].name, .points = {}, .scatter = of_depth.scatter, .freedom = of_depth.freedom});
+    for (const RunNumber number : numbers_of(job))
+      kept.materials.back().beside[number] = scatter_of(job, fit, static_cast<int>(t), number);
   }
   constexpr double as_the_data_say = 1;
   for (const Eigen::VectorXd& at : plausible_points(fit, sample_size, as_the_data_say, job.training.seed)) {
@@ -44,7 +53,7 @@ ShotHypothesis for_shots(const CalibrationJob& job, int hypothesis, const JobMod
   return kept;
 }
 
-std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& emulator, CalibrationResult& result) {
+std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulators& emulators, CalibrationResult& result) {
   if (result.hypotheses.empty()) return std::nullopt;
   ShotModel kept{.level = job.level,
                  .elements = job.training.verify,
@@ -52,9 +61,10 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
                  .replicates = usual_replicates,
                  .scene = {},
                  .shots = {},
-                 .runs = emulator.runs(),
-                 .settings = emulator.settings(),
+                 .runs = emulators.depth.runs(),
+                 .settings = emulators.depth.settings(),
                  .hypotheses = {}};
+  for (const auto& [number, emulator] : emulators.beside) kept.beside[number] = {emulator.runs(), emulator.settings()};
   for (const MeasuredShot& shot : job.shots) {
     FiredShot fired{};
     static_cast<SphereShot&>(fired) = shot;
@@ -62,7 +72,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& e
     fired.material = shot.target;
     if (shot.datum != ShotDatum::none && shot.datum != ShotDatum::at_most && shot.datum != ShotDatum::stopped)
       fired.depth = shot.datum == ShotDatum::speed_left ? shot.layer_depth : shot.depth;
-    fired.seen = word(shot.datum);
+    fired.seen = seen_words(shot);
     fired.fitted = shot.used;
     kept.shots.push_back(fired);
   }

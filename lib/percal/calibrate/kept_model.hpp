@@ -9,6 +9,6 @@ namespace percal {
 ShotHypothesis for_shots(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit);
 
 // Nothing where nothing was shot or fitted. Moves `for_shots` of the result's hypotheses.
-std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulator& emulator, CalibrationResult& result);
+std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulators& emulators, CalibrationResult& result);
 
 }  // namespace percal

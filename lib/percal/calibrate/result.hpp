@@ -19,7 +19,7 @@ struct Estimate {
   Interval interval;
 };
 
-// A depth that a model gives for a shot, and what a new shot of the kind would do.
+// What was measured of a shot (MeasuredShot::number), as a model gives it, and what a new shot of the kind would do.
 struct ShotDepth {
   int shot = 0;              // of CalibrationJob::shots
   double depth = 0;          // m; of a job that learns passing the reach (invert/reach.hpp)
@@ -29,6 +29,7 @@ struct ShotDepth {
   double passes = 0;         // probability that one such shot goes as deep as its layer
   // ours / measured - 1; none for a shot of which only a least depth is known.
   std::optional<double> deviation = {};
+  std::optional<double> deepest = {};  // m, of a shot of which another number than the deepest depth was measured
 };
 
 // The stresses that a model gives for the points of a curve, in their order, and where one more such point would lie; Pa.
@@ -153,6 +154,15 @@ struct DehnResult {
   std::vector<CrossValidationResult> cross_validations, leave_one_out;
 };
 
+// An emulator beside that of the depth.
+struct BesideReport {
+  RunNumber number = RunNumber::final_depth;
+  int runs = 0, without = 0;  // that tell it; of those that were asked, the others
+  double mean = 0;            // of what it learns, over those runs
+  double noise = 0,
+         leave_one_out = 0;  // standard deviations of its logarithm: of one run, and of the emulator's error at one
+};
+
 // The emulator of all hypotheses: what it was trained on, its own error.
 struct EmulatorReport {
   int runs = 0, reused = 0, foreign = 0;  // done here, taken from the store, of these not of this job's design
@@ -168,6 +178,7 @@ struct EmulatorReport {
     double cpu_seconds = 0, error = 0;
   };
   std::vector<Round> rounds;
+  std::vector<BesideReport> beside;  // in the order of RunNumber
 };
 
 struct CalibrationCost {

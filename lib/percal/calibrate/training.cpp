@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "percal/atlas/atlas.hpp"
+#include "percal/calibrate/job_fit.hpp"
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/invert/depth_covariance.hpp"
@@ -22,6 +23,8 @@ constexpr int points_looked_at = 25;  // for each run of a space-filling round
 constexpr double near_enough = 0.7;   // of ln depth from the measured one
 constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
 constexpr int smallest_training = 24;
+constexpr int enough_beside = 60;  // runs that tell a number beside the depth, of the first design
+constexpr int most_without = 4;    // of those that do not, for each that is wanted
 constexpr int most_foreign = 600;
 constexpr double too_shallow =
     1;  // ln depth short of the shallowest measured one: under covers, such a sphere sticks in one
@@ -33,7 +36,7 @@ constexpr double coarsest_foreign = 6;  // elements, as the job's settings count
 double least_learnt(const CalibrationJob& job) {
   double least = INFINITY;
   for (const MeasuredShot& shot : job.shots)
-    if (shot.datum != ShotDatum::none) least = std::min(least, std::log(shot.depth / shot.radius) - too_shallow);
+    if (tells_depth(shot)) least = std::min(least, std::log(shot.depth / shot.radius) - too_shallow);
   return covers_of(job) > 0 && std::isfinite(least) ? least : -INFINITY;
 }
 
@@ -50,6 +53,7 @@ Training::Training(const CalibrationJob& job, Store* store, Campaign& campaign, 
       campaign_(campaign),
       limits_(limits),
       least_learnt_(least_learnt(job)) {
+  for (const RunNumber number : numbers_of(job)) beside_[number];
   take_runs_of_atlas();
   take_foreign_runs();
   learn();
@@ -66,8 +70,8 @@ std::vector<double> Training::numbers_at(const Eigen::RowVectorXd& shares) const
   return natural;
 }
 
-// A Sobol point's last coordinate chooses the shot.
-std::vector<Problem> Training::space_filling_batch(int count) {
+// A Sobol point's last coordinate chooses among the shots.
+std::vector<Problem> Training::space_filling_batch(int count, const std::vector<int>& shots) {
   const auto dimensions = static_cast<int>(job_.parameters.size()) + 1;
   const int looked_at = count * points_looked_at;
   const Eigen::MatrixXd points = sobol_points(looked_at, dimensions, next_point_);
@@ -75,13 +79,13 @@ std::vector<Problem> Training::space_filling_batch(int count) {
   int k = 0;
   for (; k < looked_at && static_cast<int>(batch.size()) < count; ++k) {
     const std::vector<double> natural = numbers_at(points.row(k));
-    const auto shots = static_cast<double>(job_.shots.size());
-    const MeasuredShot& shot = job_.shots[static_cast<std::size_t>(points(k, dimensions - 1) * shots)];
+    const auto chosen = static_cast<std::size_t>(points(k, dimensions - 1) * static_cast<double>(shots.size()));
+    const MeasuredShot& shot = job_.shots[shots[chosen]];
     const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
     const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
     const double mesh = mesh_of(shot, material, fine ? job_.training.fine : job_.training.coarse);
     Problem problem = shot_problem(job_, shot, material, drawn_mesh(mesh, job_.training.seed, next_point_ + k));
-    if (emulator_ && shot.datum != ShotDatum::none) {
+    if (emulator_ && tells_depth(shot)) {
       const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(problem), true);
       const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
       if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
@@ -97,34 +101,73 @@ void Training::fill_space() {
   const int initial = std::min(job_.training.initial, job_.training.most) - known;
   while (design_runs_ < initial && !out_of_time()) {
     const int wanted = emulator_ ? job_.training.batch : first_round;
-    const auto batch = space_filling_batch(std::min(wanted, initial - design_runs_));
+    const auto batch = space_filling_batch(std::min(wanted, initial - design_runs_), all_shots(job_));
     if (batch.empty()) break;
     run(batch);
     learn();
     if (failures()) return;
   }
+  for (const auto& [number, beside] : beside_) {
+    std::vector<int> telling;
+    for (const int shot : all_shots(job_))
+      if (job_.shots[shot].number == number) telling.push_back(shot);
+    while (lacks(number) && !full() && !out_of_time()) {
+      const auto batch = space_filling_batch(std::min(job_.training.batch, job_.training.most - design_runs_), telling);
+      if (batch.empty()) break;
+      run(batch);
+      learn();
+      if (failures()) return;
+    }
+  }
 }
 
-// The fine runs first, then the coarse: what the mesh adds varies from point to point, and coarse runs alone would look cheaper.
+bool Training::lacks(RunNumber number) const {
+  const Beside& beside = beside_.at(number);
+  return std::ssize(beside.runs) < enough_beside && beside.without < most_without * enough_beside;
+}
+
+Emulators Training::emulators() const {
+  Emulators all(*emulator_);
+  for (const auto& [number, beside] : beside_) all.beside.emplace(number, *beside.emulator);
+  return all;
+}
+
+bool Training::has_emulator() const {
+  return emulator_ && std::ranges::all_of(beside_, [](const auto& one) { return one.second.emulator.has_value(); });
+}
+
+// The fine runs first, then the coarse: what the mesh adds varies from point to point, and coarse runs alone would look cheaper. Each
+// emulator chooses as many.
 void Training::add_round(const std::vector<Target>& targets, const std::vector<Candidate>& candidates) {
-  std::vector<SphereInputs> at;
-  std::vector<double> weights;
-  for (const Target& target : targets) {
-    at.push_back(target.at);
-    weights.push_back(target.weight);
-  }
-  const int count = std::min(job_.training.batch, job_.training.most - design_runs_);
-  const int fine = static_cast<int>(std::lround(job_.training.fine_share * count));
   std::vector<Problem> batch;
-  const auto choose = [&](Problem Candidate::*mesh, int runs) {
-    std::vector<Emulator::CandidateRun> on_mesh;
-    for (const Candidate& candidate : candidates)
-      on_mesh.push_back({inputs_of(candidate.*mesh), element_size(candidate.*mesh), 1});
-    for (int k : emulator_->choose(on_mesh, runs, at, weights, 1 / job_.training.verify))
-      batch.push_back(candidates[static_cast<std::size_t>(k)].*mesh);
+  const auto choose = [&](RunNumber number, const Emulator& emulator, int count) {
+    const auto is_for = [&](const auto& one) { return number == RunNumber::depth || one.number == number; };
+    std::vector<SphereInputs> at;
+    std::vector<double> weights;
+    for (const Target& target : targets) {
+      if (!is_for(target)) continue;
+      at.push_back(target.at);
+      weights.push_back(target.weight);
+    }
+    const auto on = [&](Problem Candidate::*mesh, int runs) {
+      std::vector<Emulator::CandidateRun> on_mesh;
+      std::vector<const Problem*> problems;
+      for (const Candidate& candidate : candidates) {
+        if (!is_for(candidate)) continue;
+        problems.push_back(&(candidate.*mesh));
+        on_mesh.push_back({inputs_of(*problems.back()), element_size(*problems.back()), 1});
+      }
+      for (const int k : emulator.choose(on_mesh, runs, at, weights, 1 / job_.training.verify))
+        batch.push_back(*problems[static_cast<std::size_t>(k)]);
+    };
+    const int fine = static_cast<int>(std::lround(job_.training.fine_share * count));
+    on(&Candidate::fine, fine);
+    on(&Candidate::coarse, count - fine);
   };
-  choose(&Candidate::fine, fine);
-  choose(&Candidate::coarse, count - fine);
+  const int count = std::min(job_.training.batch, job_.training.most - design_runs_);
+  const int of_each = count / (1 + static_cast<int>(beside_.size()));
+  choose(RunNumber::depth, *emulator_, count - of_each * static_cast<int>(beside_.size()));
+  for (const auto& [number, beside] : beside_) choose(number, *beside.emulator, of_each);
   run(batch);
   learn();
 }
@@ -156,6 +199,7 @@ void Training::count(const std::vector<Problem>& problems, const std::vector<std
     cpu_seconds_ += evaluation.cpu_seconds;
     ++report_.outcomes[word(evaluation.result.outcome)];
     const std::string key = evaluation_key(problems[i], evaluation.instruction_level);
+    if (told_.insert(key).second) take_numbers(problems[i], evaluation.result);
     if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
     taken_.push_back(key);
     const auto reach = reach_of(problems[i], evaluation.result);
@@ -163,13 +207,38 @@ void Training::count(const std::vector<Problem>& problems, const std::vector<std
   }
 }
 
+// Of a run that was asked for them.
+void Training::take_numbers(const Problem& problem, const ImpactResult& result) {
+  for (auto& [number, beside] : beside_) {
+    if (!asks_for(problem, number)) continue;
+    const auto log_share = kind_of(number).log_of(result);
+    beside.without += !log_share;
+    if (log_share) beside.runs.push_back(training_run(problem, std::exp(*log_share)));
+  }
+}
+
+namespace {
+
+void learn_from(const std::vector<TrainingRun>& runs, std::optional<Emulator>& emulator, int& searched_at) {
+  if (runs.size() < smallest_training) return;
+  const bool search = !emulator || static_cast<double>(runs.size()) >= search_again * searched_at ||
+                      emulator->settings().inputs() != scale_of(runs).inputs();
+  if (search) searched_at = static_cast<int>(runs.size());
+  EmulatorOptions options;
+  emulator.emplace(search ? Emulator(runs, options) : Emulator(runs, emulator->settings()));
+}
+
+}  // namespace
+
 void Training::learn() {
   if (runs_.size() < smallest_training) return;
-  const bool search = !emulator_ || static_cast<double>(runs_.size()) >= search_again * searched_at_ ||
-                      emulator_->settings().inputs() != scale_of(runs_).inputs();
-  if (search) searched_at_ = static_cast<int>(runs_.size());
-  EmulatorOptions options;
-  emulator_.emplace(search ? Emulator(runs_, options) : Emulator(runs_, emulator_->settings()));
+  learn_from(runs_, emulator_, searched_at_);
+  report_.beside.clear();
+  for (auto& [number, beside] : beside_) {
+    learn_from(beside.runs, beside.emulator, beside.searched_at);
+    report_.beside.push_back(
+        {.number = number, .runs = static_cast<int>(beside.runs.size()), .without = beside.without});
+  }
   report_.rounds.push_back({.runs = static_cast<int>(runs_.size()), .cpu_seconds = cpu_seconds_});
 }
 
@@ -193,7 +262,7 @@ void Training::take_runs_of_atlas() {
   std::vector<Sought> sought;
   const Eigen::MatrixXd points = sobol_points(places_for_each, static_cast<int>(job_.parameters.size()), 0);
   for (const MeasuredShot& shot : job_.shots) {
-    if (shot.datum == ShotDatum::none) continue;
+    if (!tells_depth(shot)) continue;
     for (Eigen::Index k = 0; k < points.rows(); ++k)
       sought.push_back(
           {shot_inputs(shot, target_at(job_, hypothesis_, job_.targets[shot.target], numbers_at(points.row(k)))).at,
@@ -248,6 +317,14 @@ void Training::take_foreign_runs() {
     runs_.push_back(training_run(found->problem, *found->reach));
     ++report_.foreign;
   }
+}
+
+std::string Training::untold() const {
+  for (const auto& [number, beside] : beside_)
+    if (emulator_ && !beside.emulator)
+      return fmt::format("{} of {} runs told the {}, too few for an emulator", beside.runs.size(),
+                         std::ssize(beside.runs) + beside.without, kind_of(number).words);
+  return "";
 }
 
 std::optional<std::string> Training::failures() const {

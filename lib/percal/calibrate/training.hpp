@@ -1,7 +1,9 @@
 // The runs behind one emulator: a space-filling design first, then runs where they make the answer surer. docs/theory/emulator.md
 #pragma once
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,24 +15,26 @@ namespace percal {
 // of its own, whose keys begin with `key_prefix`, and keeps a note of its own.
 std::string foreign_note(const CalibrationJob& job, const std::string& key_prefix);
 
-// One design for all hypotheses. Runs of the atlas that are like the data are its beginning, where there are such. Runs of other jobs that the store has for the job's setting of the solver are taken in
+// One design for all hypotheses, and one emulator for each number that its shots tell. Runs of the atlas that are like the data are its beginning, where there are such. Runs of other jobs that the store has for the job's setting of the solver are taken in
 // once, when the job first starts, and written down: whoever goes on with the job later starts from the same ones.
 class Training {
  public:
   Training(const CalibrationJob& job, Store* store, Campaign& campaign, const CalibrationLimits& limits);
 
   // Sobol points over the parameters' box and the job's shots; once there is an emulator, those alone whose depth is anywhere near
-  // the measured one.
+  // the measured one. Then more of them for a number beside the depth that too few runs have told.
   void fill_space();
 
   // One more batch. `targets`: depths that have to be known; weight: 1/(variance of their data).
   struct Target {
     SphereInputs at;
     double weight = 1;
+    RunNumber number = RunNumber::depth;
   };
   // One run to choose from, at a target's own inputs, on the coarse or the fine mesh.
   struct Candidate {
     Problem coarse, fine;
+    RunNumber number = RunNumber::depth;
   };
   void add_round(const std::vector<Target>& targets, const std::vector<Candidate>& candidates);
 
@@ -41,8 +45,12 @@ class Training {
   // The budget's share for runs is over, or the next run would not be done by then.
   bool out_of_time() const { return out_of_time_ || limits_.spent(share_for_training); }
   const Emulator& emulator() const { return *emulator_; }
-  bool has_emulator() const { return emulator_.has_value(); }
+  Emulators emulators() const;
+  // Of the depth and every number that the job's shots tell.
+  bool has_emulator() const;
   EmulatorReport& report() { return report_; }
+  // Which number beside the depth too few runs told for an emulator, with their counts; empty where there is none.
+  std::string untold() const;
   // The counts in words where more runs failed than the job tolerates: a numerical outcome.
   std::optional<std::string> failures() const;
 
@@ -53,8 +61,17 @@ class Training {
   void run(const std::vector<Problem>& problems);
   void count(const std::vector<Problem>& problems, const std::vector<std::optional<Evaluation>>& evaluations);
   void learn();
+  // What one number beside the depth is learnt from.
+  struct Beside {
+    std::vector<TrainingRun> runs;  // log_depth: what is learnt of it
+    int without = 0;                // runs that were asked and do not tell it
+    std::optional<Emulator> emulator = {};
+    int searched_at = 0;
+  };
+  void take_numbers(const Problem& problem, const ImpactResult& result);
+  bool lacks(RunNumber number) const;  // runs, and more of them may help
   std::vector<double> numbers_at(const Eigen::RowVectorXd& shares) const;
-  std::vector<Problem> space_filling_batch(int count);
+  std::vector<Problem> space_filling_batch(int count, const std::vector<int>& shots);
 
   const CalibrationJob& job_;
   const Hypothesis& hypothesis_;  // any: convention and held numbers do not matter here
@@ -64,6 +81,8 @@ class Training {
   std::vector<TrainingRun> runs_;
   std::vector<std::string> taken_;  // keys, so that no run counts twice
   std::optional<Emulator> emulator_;
+  std::map<RunNumber, Beside> beside_;
+  std::set<std::string> told_;  // keys of the runs that beside_ knows
   EmulatorReport report_;
   double least_learnt_;  // ln reach in radii: runs short of it are no rows
   int design_runs_ = 0, next_point_ = 0, searched_at_ = 0;

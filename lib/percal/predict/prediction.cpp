@@ -88,6 +88,7 @@ Prediction predict(const ShotModel& model, const PredictRequest& request) {
                         .material = predictor.material().name,
                         .hypothesis = model.hypotheses[request.hypothesis].name,
                         .passage = model.passage,
+                        .beside = {},
                         .shots = {},
                         .speeds = {},
                         .curve = {},
@@ -95,6 +96,7 @@ Prediction predict(const ShotModel& model, const PredictRequest& request) {
                         .fired = {},
                         .findings = {},
                         .cost = {}};
+  for (const auto& [number, learnt] : model.beside) prediction.beside.push_back(number);
   std::vector<NamedShot> asked = request.shots;
   if (request.looked_for) {
     prediction.solved = predictor.solve(*request.looked_for, asked.front(), request.depth, request.speed_error);

@@ -30,6 +30,7 @@ struct Prediction {
   PredictRequest request;
   std::string material, hypothesis;   // names
   bool passage = false;               // of the model
+  std::vector<RunNumber> beside;      // the numbers that it knows beside the depth
   std::vector<ShotPrediction> shots;  // none where a range of speeds was asked for, or the number was not found
   std::vector<double> speeds;         // m/s, of the curve; empty of several shots
   std::vector<DepthPrediction> curve;

@@ -42,7 +42,7 @@ double number_of(const SphereShot& shot, ShotNumber number) {
 
 Predictor::Predictor(const ShotModel& model, int hypothesis, int material, double level)
     : model_(&model),
-      emulator_(model.runs, model.settings),
+      emulators_(emulators_of(model)),
       scale_(scale_of(model.runs)),
       hypothesis_(hypothesis),
       material_(material),
@@ -53,7 +53,7 @@ MatrixXd Predictor::log_depths(std::span<const CoveredMaterial> points, std::spa
   for (const SphereShot& shot : shots)
     for (const CoveredMaterial& point : points) at.push_back(shot_inputs(shot, point).at);
   const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(shots.size());
-  MatrixXd depths = emulator_.depth(at, 1 / model_->elements, false).log_depth.reshaped(rows, columns);
+  MatrixXd depths = emulators_.depth.depth(at, 1 / model_->elements, false).log_depth.reshaped(rows, columns);
   for (Eigen::Index k = 0; k < columns; ++k) depths.col(k).array() += std::log(shots[k].radius);
   return depths;
 }
@@ -65,7 +65,7 @@ VectorXd Predictor::emulator_errors(std::span<const SphereShot> shots) const {
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const SphereInputs at = shot_inputs(shots[k], material().points.front()).at;
     errors[static_cast<Eigen::Index>(k)] =
-        std::sqrt(emulator_.depth({at}, 1 / model_->elements, true).covariance(0, 0));
+        std::sqrt(emulators_.depth.depth({at}, 1 / model_->elements, true).covariance(0, 0));
   }
   return errors;
 }
@@ -91,7 +91,7 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
   std::vector<DepthPrediction> predictions;
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const ShotInputs best = shot_inputs(shots[k], material().points.front());
-    const DepthAnswers answer = emulator_.depth({best.at}, 1 / model_->elements, true);
+    const DepthAnswers answer = emulators_.depth.depth({best.at}, 1 / model_->elements, true);
     DepthPrediction prediction;
     prediction.speed_exponent = answer.gradient.row(0).dot(best.by_log_speed);
     prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
@@ -108,9 +108,36 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
     prediction.shot = natural(interval_of(shot, level_));
     prediction.passes = 1 - shot.share_below(std::log(shots[k].layer_depth));
     prediction.outside = outside(shots[k]);
+    for (const auto& [number, learnt] : model_->beside)
+      prediction.beside[number] = this->number(number, shots[k], speed_error);
     predictions.push_back(std::move(prediction));
   }
   return predictions;
+}
+
+// As the depth's, about the number's own scatter.
+NumberPrediction Predictor::number(RunNumber number, const SphereShot& shot, double speed_error) const {
+  std::vector<SphereInputs> at;
+  for (const CoveredMaterial& point : material().points) at.push_back(shot_inputs(shot, point).at);
+  const double h = 1 / model_->elements;
+  const ShotInputs best = shot_inputs(shot, material().points.front());
+  const DepthAnswers answer = emulators_.answers({best.at}, {number}, h, true);
+  const auto& [scatter, freedom] = material().beside.at(number);
+  NumberPrediction prediction;
+  prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
+  prediction.by_scatter = scatter;
+  prediction.by_speed = std::abs(answer.gradient.row(0).dot(best.by_log_speed)) * speed_error;
+  Mixture mean{.centres = emulators_.answers(at, std::vector(at.size(), number), h, false).log_depth,
+               .deviation = std::max(least_deviation, prediction.by_emulator)};
+  mean.centres.array() += std::log(shot.radius);
+  prediction.by_parameters = mean.spread();
+  prediction.value = std::exp(mean.centres[0]);
+  prediction.mean = natural(interval_of(mean, level_));
+  Mixture one = mean;
+  one.deviation = std::hypot(mean.deviation, prediction.by_scatter, prediction.by_speed);
+  one.freedom = freedom;
+  prediction.shot = natural(interval_of(one, level_));
+  return prediction;
 }
 
 // Each point of the sample has a root of its own; about it an error of ln depth is one of the number by the depth's slope.

@@ -1,6 +1,7 @@
 // Depths of shots that were not fired, from what a calibration has kept: by the emulator, over the sample of its parameters.
 //                                                                                               docs/theory/prediction.md
 #pragma once
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,14 @@
 #include "percal/predict/shot_model.hpp"
 
 namespace percal {
+
+// Another number of a shot, that runs tell beside its depth.
+struct NumberPrediction {
+  double value = 0;    // m: at the best point of the sample
+  Between mean, shot;  // m: as below
+  // Standard deviations of its logarithm by source.
+  double by_parameters = 0, by_emulator = 0, by_scatter = 0, by_speed = 0;
+};
 
 // The depth of a shot in a layer that it does not pass through; of a model that knows what passes, its reach (invert/reach.hpp).
 struct DepthPrediction {
@@ -21,6 +30,7 @@ struct DepthPrediction {
   // Standard deviations of ln depth by source.
   double by_parameters = 0, by_emulator = 0, by_scatter = 0, by_speed = 0;
   std::vector<std::string> outside;  // in which ways this goes beyond what the calibration has seen; empty: in none
+  std::map<RunNumber, NumberPrediction> beside = {};  // of the numbers that the model knows
 };
 
 // Which of a shot's numbers is looked for.
@@ -62,10 +72,11 @@ class Predictor {
 
  private:
   Eigen::MatrixXd log_depths(std::span<const CoveredMaterial> points, std::span<const SphereShot> shots) const;
+  NumberPrediction number(RunNumber number, const SphereShot& shot, double speed_error) const;
   std::vector<std::string> outside(const SphereShot& shot) const;
 
   const ShotModel* model_;
-  Emulator emulator_;
+  Emulators emulators_;
   InputScale scale_;  // of its runs
   int hypothesis_, material_;
   double level_;

@@ -200,6 +200,9 @@ Json material_to_json(const MaterialSample& material) {
                {"freedom", page::finite(material.freedom)},
                {"points", points}});
   if (!covers.empty()) json["covers"] = covers;
+  for (const auto& [number, beside] : material.beside)
+    json["beside"][kind_of(number).key] = {{"scatter", page::finite(beside.scatter)},
+                                           {"freedom", page::finite(beside.freedom)}};
   return json;
 }
 
@@ -214,6 +217,13 @@ MaterialSample material_of(const Json& json) {
   if (!page::maybe(json, "covers").is_null())
     for (const Json& cover : list(json, "covers")) take_cover(cover, material);
   if (material.points.front().covers.size() > most_covers) throw page::MissingKey("covers");
+  for (const RunNumber number : numbers_beside) {
+    const Json& beside = page::maybe(page::maybe(json, "beside"), kind_of(number).key);
+    if (beside.is_null()) continue;
+    const SampleScatter scatter{wanted(beside, "scatter"), wanted(beside, "freedom")};
+    if (!(scatter.scatter >= 0 && scatter.freedom >= 0)) throw page::MissingKey("beside");
+    material.beside[number] = scatter;
+  }
   return material;
 }
 
@@ -297,20 +307,59 @@ std::optional<double> number_in_common(const std::vector<FiredShot>& shots, int 
   return std::nullopt;
 }
 
+namespace {
+
+Json runs_to_json(const std::vector<TrainingRun>& runs, const ShotModel& model) {
+  Json rows = Json::array();
+  for (const TrainingRun& run : runs) rows.push_back(run_to_json(run, inputs_under(covers_of(model))));
+  return rows;
+}
+
+std::vector<TrainingRun> runs_of(const Json& json, const ShotModel& model) {
+  std::vector<TrainingRun> runs;
+  for (const Json& run : list(json, "runs")) runs.push_back(run_of(run, inputs_under(covers_of(model))));
+  return runs;
+}
+
+// A key of results that know no such number is missing there.
+void take_beside(const Json& json, ShotModel& model) {
+  for (const RunNumber number : numbers_beside) {
+    const Json& learnt = page::maybe(page::maybe(json, "beside"), kind_of(number).key);
+    if (learnt.is_null()) continue;
+    model.beside[number] = {runs_of(learnt, model), settings_of(at(learnt, "settings"))};
+    for (const ShotHypothesis& hypothesis : model.hypotheses)
+      for (const MaterialSample& material : hypothesis.materials)
+        if (!material.beside.contains(number)) throw page::MissingKey("beside");
+  }
+}
+
+}  // namespace
+
+Emulators emulators_of(const ShotModel& model) {
+  Emulators emulators(Emulator(model.runs, model.settings));
+  for (const auto& [number, learnt] : model.beside)
+    emulators.beside.emplace(number, Emulator(learnt.runs, learnt.settings));
+  return emulators;
+}
+
 Json shot_model_to_json(const ShotModel& model) {
-  Json shots = Json::array(), runs = Json::array(), hypotheses = Json::array();
+  Json shots = Json::array(), hypotheses = Json::array();
+  const Json runs = runs_to_json(model.runs, model);
   for (const FiredShot& shot : model.shots) shots.push_back(shot_to_json(shot));
-  for (const TrainingRun& run : model.runs) runs.push_back(run_to_json(run, inputs_under(covers_of(model))));
   for (const ShotHypothesis& hypothesis : model.hypotheses) hypotheses.push_back(hypothesis_to_json(hypothesis));
-  return {{"level", model.level},
-          {"elements", model.elements},
-          {"passage", model.passage},
-          {"replicates", model.replicates},
-          {"scene_of_runs", model.scene},
-          {"shots", shots},
-          {"runs", runs},
-          {"settings", settings_to_json(model.settings)},
-          {"hypotheses", hypotheses}};
+  Json json{{"level", model.level},
+            {"elements", model.elements},
+            {"passage", model.passage},
+            {"replicates", model.replicates},
+            {"scene_of_runs", model.scene},
+            {"shots", shots},
+            {"runs", runs},
+            {"settings", settings_to_json(model.settings)},
+            {"hypotheses", hypotheses}};
+  for (const auto& [number, learnt] : model.beside)
+    json["beside"][kind_of(number).key] = {{"runs", runs_to_json(learnt.runs, model)},
+                                           {"settings", settings_to_json(learnt.settings)}};
+  return json;
 }
 
 ShotModel shot_model_of(const Json& result, const std::string& file) {
@@ -334,7 +383,8 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   if (model.hypotheses.empty()) throw page::MissingKey("hypotheses");
   for (const ShotHypothesis& hypothesis : model.hypotheses)
     if (hypothesis.materials.size() != model.hypotheses.front().materials.size()) throw page::MissingKey("materials");
-  for (const Json& run : list(json, "runs")) model.runs.push_back(run_of(run, inputs_under(covers_of(model))));
+  model.runs = runs_of(json, model);
+  take_beside(json, model);
   for (const Json& shot : list(json, "shots"))
     model.shots.push_back(shot_of(shot, model.hypotheses.front().materials.size()));
   if (model.shots.empty()) throw page::MissingKey("shots");

@@ -2,22 +2,30 @@
 // hypothesis the materials' numbers that the data do not rule out.                              docs/theory/prediction.md
 #pragma once
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "percal/campaign/run_numbers.hpp"
 #include "percal/invert/emulator.hpp"
 #include "percal/page/result.hpp"
 #include "percal/predict/sphere_shot.hpp"
 
 namespace percal {
 
+// Standard deviation of the logarithm of what one shot shows about the model; degrees of freedom that tell it, 0: it is known.
+struct SampleScatter {
+  double scatter = 0, freedom = 0;
+};
+
 // What can be shot into, a material or one with covers, under one hypothesis.
 struct MaterialSample {
   std::string name;
-  std::vector<CoveredMaterial> points;  // the best first, then a sample of those that the data allow
-  double scatter = 0;                   // of ln depth of one shot about the model, standard deviation
-  double freedom = 0;                   // degrees of freedom that tell it; 0: it is known
+  std::vector<CoveredMaterial> points;             // the best first, then a sample of those that the data allow
+  double scatter = 0;                              // of ln depth of one shot about the model, standard deviation
+  double freedom = 0;                              // degrees of freedom that tell it; 0: it is known
+  std::map<RunNumber, SampleScatter> beside = {};  // of the numbers that the model knows beside the depth
 };
 
 struct ShotHypothesis {
@@ -53,6 +61,12 @@ inline bool is_one(const Between& range) { return range.high <= range.low * (1 +
 std::optional<double> number_in_common(const std::vector<FiredShot>& shots, int material,
                                        const std::function<double(const FiredShot&)>& number);
 
+// What the emulator of a number beside the depth has learnt.
+struct LearntNumber {
+  std::vector<TrainingRun> runs = {};  // log_depth: ln of what is learnt (campaign/run_numbers.hpp)
+  EmulatorSettings settings = {};
+};
+
 struct ShotModel {
   double level = 0.95;
   double elements = 0;     // of the mesh that predictions are of: per radius, or in the erosion length
@@ -62,8 +76,10 @@ struct ShotModel {
   std::vector<FiredShot> shots;
   std::vector<TrainingRun> runs;
   EmulatorSettings settings;
+  std::map<RunNumber, LearntNumber> beside = {};
   std::vector<ShotHypothesis> hypotheses;  // never empty
 };
+Emulators emulators_of(const ShotModel& model);
 
 page::Json shot_model_to_json(const ShotModel& model);
 

@@ -96,7 +96,7 @@ std::optional<ShotDatum> outcome_of(const std::string& text) {
 
 // What was seen of one shot: numbers before words. `refuse` is for what contradicts itself.
 struct SeenOfShot {
-  std::optional<double> depth, speed_left;
+  std::optional<double> depth, final_depth, speed_left;
   std::optional<ShotDatum> outcome;
 };
 template <class Refuse>
@@ -106,11 +106,19 @@ void take(MeasuredShot& shot, const SeenOfShot& seen, const Refuse& refuse) {
   if (left && stopped) refuse("a speed left of a shot that was stopped", "one of the two");
   if (seen.depth && (left || seen.outcome == ShotDatum::passed))
     refuse("a depth of a shot that passed", "a depth, or a speed left, or \"passed\"");
+  if (seen.final_depth && (left || seen.outcome == ShotDatum::passed))
+    refuse("a final depth of a shot that passed", "a final depth, or a speed left, or \"passed\"");
+  if (seen.depth && seen.final_depth && *seen.final_depth > *seen.depth)
+    refuse("a final depth of " + format_quantity(*seen.final_depth, dimension::length),
+           "no more than the deepest depth, " + format_quantity(*seen.depth, dimension::length));
   if (left && *seen.speed_left >= shot.speed)
     refuse("a speed left of " + format_quantity(*seen.speed_left, dimension::speed),
            "less than the speed at impact, " + format_quantity(shot.speed, dimension::speed));
   if (seen.depth) {
     shot.depth = *seen.depth;
+  } else if (seen.final_depth) {
+    shot.number = RunNumber::final_depth;
+    shot.depth = *seen.final_depth;
   } else if (left) {
     shot.datum = ShotDatum::speed_left;
     shot.speed_left = *seen.speed_left;
@@ -119,17 +127,19 @@ void take(MeasuredShot& shot, const SeenOfShot& seen, const Refuse& refuse) {
   } else {
     shot.datum = seen.outcome.value_or(ShotDatum::none);
     if (shot.datum == ShotDatum::none && shot.used)
-      refuse("a fitted shot of which nothing was seen", "a depth, an outcome or a speed left; or use = \"predict\"");
+      refuse("a fitted shot of which nothing was seen",
+             "a depth, a final depth, an outcome or a speed left; or use = \"predict\"");
   }
 }
 
 void read_seen(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
   const auto depths = some_of_column(block, "depth_column", table, dimension::length, length);
+  const auto final_depths = some_of_column(block, "final_depth_column", table, dimension::length, length);
   const auto speeds_left = some_of_column(block, "speed_left_column", table, dimension::speed, not_negative("speed"));
   const int outcome = block.has("outcome_column") ? column_index(block, "outcome_column", table) : -1;
   block.knows("outcome_column");
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    SeenOfShot seen{.depth = depths[i], .speed_left = speeds_left[i], .outcome = {}};
+    SeenOfShot seen{.depth = depths[i], .final_depth = final_depths[i], .speed_left = speeds_left[i], .outcome = {}};
     const std::string word = outcome < 0 ? "" : table.cell(table.rows[i], outcome);
     if (!word.empty()) {
       seen.outcome = outcome_of(word);
@@ -178,12 +188,19 @@ MeasuredShot shot_of_point(const TomlTable& point) {
   shot.speed = point.quantity("speed", dimension::speed, speed);
   shot.used = point.word("use", use_words, 0) == 0;
   point.knows("outcome");
-  SeenOfShot seen{.depth = point.optional_quantity("depth", dimension::length, length),
-                  .speed_left = point.optional_quantity("speed_left", dimension::speed, not_negative("speed")),
-                  .outcome = point.has("outcome") ? outcome_of(point.text("outcome")) : std::nullopt};
-  if (point.has("outcome") && !seen.outcome) point.refuse("outcome", in_quotes(point.text("outcome")), outcome_forms);
+  SeenOfShot seen;
+  seen.depth = point.optional_quantity("depth", dimension::length, length);
+  seen.final_depth = point.optional_quantity("final_depth", dimension::length, length);
+  seen.speed_left = point.optional_quantity("speed_left", dimension::speed, not_negative("speed"));
+  if (point.has("outcome")) {
+    seen.outcome = outcome_of(point.text("outcome"));
+    if (!seen.outcome) point.refuse("outcome", in_quotes(point.text("outcome")), outcome_forms);
+  }
   take(shot, seen, [&](const std::string& found, const std::string& accepted) {
-    point.refuse(point.has("speed_left") ? "speed_left" : "depth", found, accepted);
+    point.refuse(point.has("speed_left")    ? "speed_left"
+                 : point.has("final_depth") ? "final_depth"
+                                            : "depth",
+                 found, accepted);
   });
   shot.depth_error = depth_error_from(point, shot.depth);
   for (const auto& [key, datum] : bounds) {

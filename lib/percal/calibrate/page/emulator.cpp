@@ -14,19 +14,25 @@ Json emulator_to_json(const EmulatorReport& emulator) {
     rounds.push_back(
         {{"runs", round.runs}, {"cpu_s", finite(round.cpu_seconds)}, {"error_at_optimum", finite(round.error)}});
   for (const auto& [name, count] : emulator.outcomes) outcomes.push_back({{"outcome", name}, {"runs", count}});
-  return {{"runs", emulator.runs},
-          {"reused", emulator.reused},
-          {"foreign", emulator.foreign},
-          {"from_atlas", emulator.from_atlas},
-          {"outcomes", outcomes},
-          {"noise", finite(emulator.settings.noise)},
-          {"leave_one_out_error", finite(emulator.leave_one_out)},
-          {"standardised_deviation", finite(emulator.standardised_deviation)},
-          {"coverage95", finite(emulator.coverage95)},
-          {"error_at_optimum", finite(emulator.error_at_optimum)},
-          {"data_error", finite(emulator.data_error)},
-          {"stopped", emulator.stopped},
-          {"rounds", rounds}};
+  Json json{{"runs", emulator.runs},
+            {"reused", emulator.reused},
+            {"foreign", emulator.foreign},
+            {"from_atlas", emulator.from_atlas},
+            {"outcomes", outcomes},
+            {"noise", finite(emulator.settings.noise)},
+            {"leave_one_out_error", finite(emulator.leave_one_out)},
+            {"standardised_deviation", finite(emulator.standardised_deviation)},
+            {"coverage95", finite(emulator.coverage95)},
+            {"error_at_optimum", finite(emulator.error_at_optimum)},
+            {"data_error", finite(emulator.data_error)},
+            {"stopped", emulator.stopped},
+            {"rounds", rounds}};
+  for (const BesideReport& beside : emulator.beside)
+    json["beside"][kind_of(beside.number).key] = {
+        {"learns", kind_of(beside.number).learnt}, {"runs", beside.runs},
+        {"runs_without", beside.without},          {"mean", finite(beside.mean)},
+        {"noise", finite(beside.noise)},           {"leave_one_out_error", finite(beside.leave_one_out)}};
+  return json;
 }
 
 Json fresh_to_json(const CalibrationJob& job, const std::vector<FreshRun>& runs) {
@@ -107,20 +113,31 @@ Table emulator_table(const Json& one) {
   for (const Json& outcome : list(one, "outcomes"))
     outcomes +=
         fmt::format("{}{} {}", outcomes.empty() ? "" : ", ", shown(number(outcome, "runs")), text(outcome, "outcome"));
-  return {.caption = "The emulator",
-          .rows = {{"", ""},
-                   {"runs done", shown(number(one, "runs"))},
-                   {"runs from the store", shown(number(one, "reused"))},
-                   {"runs of other jobs", shown(number(one, "foreign"))},
-                   {"runs of the atlas", shown(number(one, "from_atlas"))},
-                   {"outcomes", outcomes},
-                   {"leave-one-out error", percent(number(one, "leave_one_out_error"))},
-                   {"within its 95 %", percent(number(one, "coverage95"))},
-                   {"solver's noise", percent(number(one, "noise"))},
-                   {"error at the optimum", percent(number(one, "error_at_optimum"))},
-                   {"data's error", percent(number(one, "data_error"))},
-                   {"stopped because", text(one, "stopped")}},
-          .notes = {}};
+  Table table{.caption = "The emulator",
+              .rows = {{"", ""},
+                       {"runs done", shown(number(one, "runs"))},
+                       {"runs from the store", shown(number(one, "reused"))},
+                       {"runs of other jobs", shown(number(one, "foreign"))},
+                       {"runs of the atlas", shown(number(one, "from_atlas"))},
+                       {"outcomes", outcomes},
+                       {"leave-one-out error", percent(number(one, "leave_one_out_error"))},
+                       {"within its 95 %", percent(number(one, "coverage95"))},
+                       {"solver's noise", percent(number(one, "noise"))},
+                       {"error at the optimum", percent(number(one, "error_at_optimum"))},
+                       {"data's error", percent(number(one, "data_error"))},
+                       {"stopped because", text(one, "stopped")}},
+              .notes = {}};
+  const Json& all_beside = maybe(one, "beside");
+  if (all_beside.is_object())
+    for (const Json& beside : all_beside)
+      table.rows.insert(
+          table.rows.end() - 1,
+          {text(beside, "learns"),
+           fmt::format("{}, one run scatters by {}; told by {} of {}", shown(number(beside, "mean"), 2),
+                       rough_percent(number(beside, "noise")), shown(number(beside, "runs")),
+                       counted(static_cast<long>(number_or(beside, "runs", 0) + number_or(beside, "runs_without", 0)),
+                               "run"))});
+  return table;
 }
 
 Figure error_figure(const Json& emulator) {

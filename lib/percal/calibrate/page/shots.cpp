@@ -16,7 +16,7 @@ namespace {
 // What was seen, and its number: the keys that are not of it are null.
 Json measured_to_json(const MeasuredShot& shot) {
   const auto of = [&](ShotDatum datum, double value) { return shot.datum == datum ? Json(value) : Json(); };
-  return {{"seen", word(shot.datum)},
+  return {{"seen", seen_words(shot)},
           {"measured_m", of(ShotDatum::depth, shot.depth)},
           {"measured_at_least_m", of(ShotDatum::at_least, shot.depth)},
           {"measured_at_most_m", of(ShotDatum::at_most, shot.depth)},
@@ -59,6 +59,7 @@ Json shots_to_json(const CalibrationJob& job, const std::vector<ShotDepth>& dept
                    {"fitted", depth.fitted},
                    {"passes_probability", finite(depth.passes)},
                    {"deviation", finite(depth.deviation)}});
+    if (depth.deepest) all.back()["deepest_m"] = *depth.deepest;
     all.back().update(measured_to_json(shot));
   }
   return all;
@@ -100,8 +101,8 @@ bool is_of_passage(const Json& entry) {
 std::string measured_words(const Json& shot) {
   const std::string seen = text(shot, "seen");
   if (seen == "depth") return length(number(shot, "measured_m"));
-  if (seen == "at least") return "at least " + length(number(shot, "measured_at_least_m"));
-  if (seen == "at most") return "at most " + length(number(shot, "measured_at_most_m"));
+  for (const char* key : {"measured_m", "measured_at_least_m", "measured_at_most_m"})
+    if (const auto measured = number(shot, key)) return seen + " " + length(measured);
   if (seen == "speed left") return quantity(number(shot, "speed_left_m_s"), dimension::speed) + " left";
   return seen == "none" ? "" : seen;
 }

@@ -11,10 +11,11 @@
 namespace percal::calibration_page {
 namespace {
 
-// What a sphere is called in labels: "steel 3.18 mm" of "steel 3.18 mm at 45 m/s".
+// What a sphere is called in labels: "steel 3.18 mm" of "steel 3.18 mm at 45 m/s"; with its final depths apart.
 std::string ball_of(const Json& datum) {
   const std::string label = text(datum, "label");
-  return label.substr(0, label.find(" at "));
+  const std::string ball = label.substr(0, label.find(" at ")), seen = text(datum, "seen");
+  return seen.starts_with("final depth") ? ball + ", final depth" : ball;
 }
 
 // Shots of one sphere into one material by their speed.

@@ -68,9 +68,14 @@ std::string summary_of(const Json& result) {
                          value_words(shot, "layer_depth_m"), text(result, "material"), sphere_words(shot),
                          value_words(shot, "speed_m_s", 4), value_words(left, "speed_left_m_s"), level_words(result),
                          depth_interval_words(shot, "shot"), percent(number(shot, "passes_probability")));
-    return fmt::format("Into {}, {} at {} goes {} deep; {} of such shots: {}.", text(result, "material"),
-                       sphere_words(shot), value_words(shot, "speed_m_s", 4), value_words(shot, "depth_m"),
-                       level_words(result), depth_interval_words(shot, "shot"));
+    std::string words = fmt::format("Into {}, {} at {} goes {} deep; {} of such shots: {}.", text(result, "material"),
+                                    sphere_words(shot), value_words(shot, "speed_m_s", 4), value_words(shot, "depth_m"),
+                                    level_words(result), depth_interval_words(shot, "shot"));
+    for (const RunNumber of : numbers_beside)
+      if (const Json& beside = maybe(shot, kind_of(of).key); !beside.is_null())
+        words += fmt::format(" Its {}: {} ({}).", kind_of(of).words, value_words(beside, "value_m"),
+                             interval_words(beside, "shot_interval_m"));
+    return words;
   }
   const Json& curve = list(result, "curve");
   if (shots.empty() && !curve.empty())
@@ -88,10 +93,21 @@ Table shot_table(const Json& result) {
   bool knows_passage = false;
   for (const Json& shot : list(result, "shots")) knows_passage |= !at(shot, "speed_left").is_null();
   if (knows_passage) table.rows[0].push_back("passes");
+  for (const RunNumber number : numbers_beside)
+    for (const Json& shot : list(result, "shots"))
+      if (!maybe(shot, kind_of(number).key).is_null()) {
+        table.rows[0].insert(table.rows[0].end(),
+                             {kind_of(number).words, level_words(result) + " of one, " + kind_of(number).words});
+        break;
+      }
   for (const Json& shot : list(result, "shots")) {
     table.rows.push_back({text(shot, "label"), depth_words(shot), depth_interval_words(shot, "mean"),
                           depth_interval_words(shot, "shot")});
     if (knows_passage) table.rows.back().push_back(percent(number(shot, "passes_probability")));
+    for (const RunNumber of : numbers_beside)
+      if (const Json& beside = maybe(shot, kind_of(of).key); !beside.is_null())
+        table.rows.back().insert(table.rows.back().end(),
+                                 {value_words(beside, "value_m"), interval_words(beside, "shot_interval_m")});
   }
   return table;
 }

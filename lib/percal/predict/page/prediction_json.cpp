@@ -31,18 +31,29 @@ Json speed_left_to_json(const DepthPrediction& depth, const SphereShot& shot) {
           {"speed_left_shot_interval_m_s", ends(depth.shot)}};
 }
 
+// Of a depth, or of another number.
+Json errors_to_json(const auto& prediction) {
+  return {{"parameters", finite(prediction.by_parameters)},
+          {"emulator", finite(prediction.by_emulator)},
+          {"scatter", finite(prediction.by_scatter)},
+          {"speed", finite(prediction.by_speed)}};
+}
+
 Json depth_to_json(const DepthPrediction& depth) {
   return {{"depth_m", finite(depth.depth)},
           {"mean_interval_m", between_to_json(depth.mean)},
           {"shot_interval_m", between_to_json(depth.shot)},
           {"passes_probability", finite(depth.passes)},
           {"speed_exponent", finite(depth.speed_exponent)},
-          {"errors",
-           {{"parameters", finite(depth.by_parameters)},
-            {"emulator", finite(depth.by_emulator)},
-            {"scatter", finite(depth.by_scatter)},
-            {"speed", finite(depth.by_speed)}}},
+          {"errors", errors_to_json(depth)},
           {"outside", depth.outside}};
+}
+
+Json number_to_json(const NumberPrediction& number) {
+  return {{"value_m", finite(number.value)},
+          {"mean_interval_m", between_to_json(number.mean)},
+          {"shot_interval_m", between_to_json(number.shot)},
+          {"errors", errors_to_json(number)}};
 }
 
 Json checked_to_json(const CheckedByRuns& checked, const SphereShot& shot, bool passage) {
@@ -61,6 +72,7 @@ Json predicted_to_json(const ShotPrediction& one, bool passage) {
   Json json = shot_to_json(one.shot);
   json.update(depth_to_json(one.depth));
   json["speed_left"] = passage ? speed_left_to_json(one.depth, one.shot) : Json();
+  for (const auto& [number, predicted] : one.depth.beside) json[kind_of(number).key] = number_to_json(predicted);
   json["label"] = one.shot.label;
   json["elsewhere_m"] = one.elsewhere;
   json["checked"] = one.checked ? checked_to_json(*one.checked, one.shot, passage) : Json();
@@ -129,14 +141,21 @@ Json prediction_to_json(const Prediction& prediction, const std::string& result)
 std::string prediction_to_csv(const Prediction& prediction) {
   std::string csv =
       "label,radius_m,density_kg_m3,speed_m_s,layer_depth_m,depth_m,mean_low_m,mean_high_m,shot_low_m,shot_high_m,"
-      "passes_probability,speed_left_m_s,outside\n";
+      "passes_probability,speed_left_m_s,";
+  for (const RunNumber number : prediction.beside) {
+    const char* key = kind_of(number).key;
+    csv += fmt::format("{0}_m,{0}_shot_low_m,{0}_shot_high_m,", key);
+  }
+  csv += "outside\n";
   const auto row = [&](const std::string& label, const SphereShot& shot, const DepthPrediction& depth) {
     const std::string left =
         prediction.passage ? fmt::format("{}", shot.speed * share_left(shot.layer_depth, depth.depth)) : "";
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_quoted(label), shot.radius, shot.density,
-                    shot.speed, shot.layer_depth, depth.depth, depth.mean.low, depth.mean.high, depth.shot.low,
-                    depth.shot.high, depth.passes, left, csv_quoted(fmt::format("{}", fmt::join(depth.outside, "; "))));
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},", csv_quoted(label), shot.radius, shot.density, shot.speed,
+                       shot.layer_depth, depth.depth, depth.mean.low, depth.mean.high, depth.shot.low, depth.shot.high,
+                       depth.passes, left);
+    for (const auto& [number, predicted] : depth.beside)
+      csv += fmt::format("{},{},{},", predicted.value, predicted.shot.low, predicted.shot.high);
+    csv += csv_quoted(fmt::format("{}", fmt::join(depth.outside, "; "))) + "\n";
   };
   for (const ShotPrediction& one : prediction.shots) row(one.shot.label, one.shot, one.depth);
   if (prediction.request.speeds)

@@ -1,0 +1,75 @@
+#include "percal/campaign/run_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace percal {
+namespace {
+
+std::optional<double> none_beside(const ImpactResult&) { return std::nullopt; }
+
+// Of a sphere that stopped in the target and stayed there.
+std::optional<double> log_final_share(const ImpactResult& result) {
+  if (result.outcome != Outcome::stopped || !result.aftermath || result.aftermath->ending != Ending::rests)
+    return std::nullopt;
+  const double share = result.aftermath->depth / result.depth;
+  return share > 0 ? std::optional(std::log(share)) : std::nullopt;
+}
+
+constexpr RunNumberKind run_number_kinds[] = {
+    {"depth", "depth", "the deepest depth over the radius", true, "", RunUntil::deepest, none_beside},
+    {"final_depth", "final depth", "the final depth over the deepest", true,
+     " Nothing but the roughness of its channel holds a sphere in these runs: what really holds it, friction or "
+     "relaxation, is not in them. A deepest depth tells more, and so does a final one as a bound (at_least).",
+     RunUntil::rest, log_final_share}};
+
+// Adds what one emulator says of the points `rows` of all.
+void add(DepthAnswers& all, const DepthAnswers& some, const std::vector<Eigen::Index>& rows) {
+  all.log_depth(rows) += some.log_depth;
+  all.gradient(rows, Eigen::all) += some.gradient;
+  if (some.covariance.size() > 0) all.covariance(rows, rows) += some.covariance;
+}
+
+}  // namespace
+
+const RunNumberKind& kind_of(RunNumber number) { return run_number_kinds[static_cast<int>(number)]; }
+
+std::optional<RunNumber> run_number_of(const std::string& key) {
+  const auto found = std::ranges::find(run_number_kinds, key, &RunNumberKind::key);
+  if (found == std::end(run_number_kinds)) return std::nullopt;
+  return static_cast<RunNumber>(found - std::begin(run_number_kinds));
+}
+
+void ask_for(OutputScene& output, RunNumber number) { output.after = std::max(output.after, kind_of(number).after); }
+
+bool asks_for(const Problem& problem, RunNumber number) { return problem.until >= kind_of(number).after; }
+
+DepthAnswers Emulators::answers(const std::vector<SphereInputs>& at, const std::vector<RunNumber>& numbers, double h,
+                                bool with_covariance) const {
+  if (std::ranges::all_of(numbers, [](RunNumber number) { return number == RunNumber::depth; }))
+    return depth.depth(at, h, with_covariance);
+  const auto count = static_cast<Eigen::Index>(at.size());
+  DepthAnswers all{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, sphere_inputs), {}};
+  if (with_covariance) all.covariance = Eigen::MatrixXd::Zero(count, count);
+  const auto add_where = [&](const Emulator& emulator, const auto& is_of) {
+    std::vector<Eigen::Index> rows;
+    std::vector<SphereInputs> there;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (!is_of(numbers[i])) continue;
+      rows.push_back(static_cast<Eigen::Index>(i));
+      there.push_back(at[i]);
+    }
+    if (!rows.empty()) add(all, emulator.depth(there, h, with_covariance), rows);
+  };
+  add_where(depth, [](RunNumber number) { return kind_of(number).over_depth; });
+  for (const auto& [number, emulator] : beside) add_where(emulator, [of = number](RunNumber one) { return one == of; });
+  return all;
+}
+
+double Emulators::noise(RunNumber number, double h) const {
+  const double of_depth = kind_of(number).over_depth ? depth.noise(h) : 0;
+  return number == RunNumber::depth ? of_depth : std::hypot(of_depth, beside.at(number).noise(h));
+}
+
+}  // namespace percal

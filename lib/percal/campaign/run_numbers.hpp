@@ -1,0 +1,58 @@
+// Numbers of a run that can be measured of a shot, and what emulators learn of them: the deepest depth itself, every other one by an
+// emulator of its own beside it.                                                    docs/theory/emulator.md, Numbers beside the depth
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "percal/impact/result.hpp"
+#include "percal/invert/emulator.hpp"
+#include "percal/problem/problem.hpp"
+#include "percal/scene/scene.hpp"
+
+namespace percal {
+
+// In the order of run_number_kinds.
+enum class RunNumber { depth, final_depth };
+
+struct RunNumberKind {
+  const char* key;      // in results
+  const char* words;    // what was measured
+  const char* learnt;   // what its emulator learns
+  bool over_depth;      // that is a share of the deepest depth; else of the radius
+  const char* caution;  // what a reader of it must know, a sentence with a blank before it
+  // What a run asks for beside the depth.
+  RunUntil after;
+  // ln of what is learnt; nothing of a run that does not tell it.
+  std::optional<double> (*log_of)(const ImpactResult& result);
+};
+
+const RunNumberKind& kind_of(RunNumber number);
+// The number of that key; nothing where there is none.
+std::optional<RunNumber> run_number_of(const std::string& key);
+// All but the depth.
+inline constexpr RunNumber numbers_beside[] = {RunNumber::final_depth};
+
+// Adds to what a scene's run is to tell.
+void ask_for(OutputScene& output, RunNumber number);
+// Whether the run of a problem was asked for it.
+bool asks_for(const Problem& problem, RunNumber number);
+
+// An emulator of the depth (invert/reach.hpp) and those beside it.
+struct Emulators {
+  Emulators(Emulator of_depth) : depth(std::move(of_depth)) {}  // implicit: one of the depth alone
+
+  Emulator depth;
+  std::map<RunNumber, Emulator> beside;
+
+  bool knows(RunNumber number) const { return number == RunNumber::depth || beside.contains(number); }
+  // ln(number/radius) of the i-th number at the i-th point, which it must know. As Emulator::depth.       (13)
+  DepthAnswers answers(const std::vector<SphereInputs>& at, const std::vector<RunNumber>& numbers, double h,
+                       bool with_covariance) const;
+  // Of one run on a mesh of element size h: standard deviation of ln number.
+  double noise(RunNumber number, double h) const;
+};
+
+}  // namespace percal
