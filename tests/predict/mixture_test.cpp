@@ -32,5 +32,14 @@ TEST(Mixture, HasQuantilesThatItsSharesGiveBack) {
   EXPECT_NEAR(two.spread(), 6 / std::sqrt(2.0), 1e-12);
 }
 
+TEST(Mixture, OfCentresFarFromZeroOrNowhereHasNoFaultyQuantile) {
+  for (const double centre : {1e9, -1e12}) {
+    const Mixture far{.centres = Eigen::Vector2d(centre, centre), .deviation = 1e-3};
+    EXPECT_NEAR(far.quantile(0.025), centre - 1.96e-3, 1e-13 * std::abs(centre));
+  }
+  EXPECT_TRUE(std::isnan(Mixture{.centres = Eigen::Vector2d(1, NAN), .deviation = 1}.quantile(0.5)));
+  EXPECT_TRUE(std::isnan(Mixture{.centres = Eigen::Vector2d(1, INFINITY), .deviation = 1}.quantile(0.5)));
+}
+
 }  // namespace
 }  // namespace percal

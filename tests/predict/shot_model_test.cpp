@@ -48,6 +48,10 @@ TEST(ShotModels, OfOtherResultsAreRefused) {
   for (const double material : {-1.0, 1e300})
     EXPECT_THROW(shot_model_of(broken([=](Json& m) { m["shots"][0]["material"] = material; }), "f"), page::MissingKey);
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["replicates"] = 1e300; }), "f"), page::MissingKey);
+  // An emulator without the length of an input that its runs vary knows nothing.
+  EXPECT_THROW(shot_model_of(broken([](Json& m) { m["settings"]["length"].erase("ln_pi4"); }), "f"), page::MissingKey);
+  EXPECT_THROW(shot_model_of(broken([](Json& m) { m["settings"]["length"]["alpha"] = 0; }), "f"), page::MissingKey);
+  EXPECT_THROW(shot_model_of(broken([](Json& m) { m["settings"]["length"]["fn_pi4"] = 1; }), "f"), page::MissingKey);
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["shots"] = Json::array(); }), "f"), page::MissingKey);
   EXPECT_THROW(shot_model_of(broken([](Json& m) { m["hypotheses"][0]["materials"][0]["points"][0][0] = -1; }), "f"),
                page::MissingKey);

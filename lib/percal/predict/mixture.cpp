@@ -1,5 +1,6 @@
 #include "percal/predict/mixture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,7 +10,8 @@
 namespace percal {
 namespace {
 
-constexpr double fine_enough = 1e-9;  // of a deviation
+constexpr double fine_enough = 1e-9;   // of a deviation
+constexpr double of_a_centre = 1e-14;  // what rounding leaves of its digits
 
 double degrees(const Mixture& mixture) {
   return mixture.freedom > 0 ? mixture.freedom : std::numeric_limits<double>::infinity();
@@ -28,8 +30,9 @@ double Mixture::share_below(double x) const {
 double Mixture::quantile(double share) const {
   const double reach = student_quantile(share, degrees(*this)) * deviation;
   const double low = centres.minCoeff() + reach, high = centres.maxCoeff() + reach;
+  if (!centres.allFinite() || !std::isfinite(reach)) return std::numeric_limits<double>::quiet_NaN();
   const auto above = [&](double x) { return share_below(x) - share; };
-  const double margin = fine_enough * deviation;
+  const double margin = std::max(fine_enough * deviation, of_a_centre * std::max(std::abs(low), std::abs(high)));
   return root(above, low - margin, high + margin, margin);
 }
 

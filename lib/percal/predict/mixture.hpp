@@ -11,7 +11,7 @@ struct Mixture {
   double freedom = 0;       // degrees of freedom of each; 0: normal
 
   double share_below(double x) const;
-  // The x below which a share lies, 0 < share < 1.
+  // The x below which a share lies, 0 < share < 1; not a number where the centres are not finite.
   double quantile(double share) const;
   // Root mean square distance of the centres from the first.
   double spread() const;

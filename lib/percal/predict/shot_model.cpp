@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "percal/base/error.hpp"
+#include "percal/invert/depth_covariance.hpp"
 
 namespace percal {
 namespace {
@@ -54,6 +55,8 @@ Json lengths_to_json(const std::array<double, sphere_inputs>& length) {
 }
 
 std::array<double, sphere_inputs> lengths_of(const Json& json) {
+  for (const auto& [name, value] : json.items())
+    if (std::ranges::find(input_names, name) == std::end(input_names)) throw page::MissingKey("length");
   std::array<double, sphere_inputs> length{};
   for (int i = 0; i < sphere_inputs; ++i) length[i] = page::number(page::maybe(json, input_names[i])).value_or(0);
   return length;
@@ -81,6 +84,14 @@ EmulatorSettings settings_of(const Json& json) {
           .noise_order = wanted(json, "noise_order"),
           .log_likelihood = wanted(json, "log_likelihood"),
           .evaluations = whole(json, "likelihood_evaluations")};
+}
+
+// Every input that an emulator of these runs sees has a length.
+void require_lengths(const EmulatorSettings& settings, const std::vector<TrainingRun>& runs) {
+  if (runs.empty()) return;
+  for (const int input : scale_of(runs).seen)
+    if (!(settings.length[input] > 0) || (settings.mesh_amplitude > 0 && !(settings.mesh_length[input] > 0)))
+      throw page::MissingKey("length");
 }
 
 // The inputs of a run under so many covers.
@@ -326,7 +337,8 @@ void take_beside(const Json& json, ShotModel& model) {
   for (const RunNumber number : numbers_beside) {
     const Json& learnt = page::maybe(page::maybe(json, "beside"), kind_of(number).key);
     if (learnt.is_null()) continue;
-    model.beside[number] = {runs_of(learnt, model), settings_of(at(learnt, "settings"))};
+    LearntNumber& known = model.beside[number] = {runs_of(learnt, model), settings_of(at(learnt, "settings"))};
+    require_lengths(known.settings, known.runs);
     for (const ShotHypothesis& hypothesis : model.hypotheses)
       for (const MaterialSample& material : hypothesis.materials)
         if (!material.beside.contains(number)) throw page::MissingKey("beside");
@@ -384,6 +396,7 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   for (const ShotHypothesis& hypothesis : model.hypotheses)
     if (hypothesis.materials.size() != model.hypotheses.front().materials.size()) throw page::MissingKey("materials");
   model.runs = runs_of(json, model);
+  require_lengths(model.settings, model.runs);
   take_beside(json, model);
   for (const Json& shot : list(json, "shots"))
     model.shots.push_back(shot_of(shot, model.hypotheses.front().materials.size()));
