@@ -5,9 +5,6 @@
 Options: --store FILE for the evaluations (default: the program's own), --page FILE to write elsewhere, --jobs N scenes side by side.
 """
 import math
-import random
-import re
-import statistics
 from dataclasses import dataclass
 
 from harness import THESIS, Store, changed, command_line, data_block, draw, figures_of, in_percent, mean_size, number, percent, replicates, rows_of, table, with_numbers, write_page
@@ -287,60 +284,6 @@ def directions(program, rhombus, strains):
     found = [program.impact(text, *THREE) for _, text in cases]
     lines = [[words, depth_text(r), in_percent(cm(r) / cm(found[0]) - 1, "+.1f"), percent(r.worst_closure, ".1f")] for (words, _), r in zip(cases, found)]
     return table(["gelatin of the first hypothesis with", "rhombus at 40 m/s, cm", "change, %", "closure"], lines)
-
-
-def random_block(rng):
-    """A sphere or a prism on coarse cubes, slow or fast, in a soft or a firm target; depths that fit the block."""
-    mu, alpha, strain = round(10 ** rng.uniform(1.5, 3), 1), round(rng.uniform(2, 14), 1), round(10 ** rng.uniform(-0.6, 0), 3)
-    wall, speed = round(rng.uniform(15, 45), 1), round(rng.uniform(25, 110), 0)
-    if rng.random() < 0.4:
-        radius = round(rng.uniform(1.5, 3), 2)
-        particle, elements = f'radius = "{radius} mm"\ndensity = "{rng.choice((2500, 4500, 7800))} kg/m3"', 4
-    else:
-        side, thickness = round(rng.uniform(4, 8), 2), round(rng.uniform(2.5, 5), 2)
-        tip = rng.choice((45, 60, 75, 90))
-        density = rng.choice((2700, 7800))
-        mass = side ** 2 * math.sin(math.radians(tip)) * thickness * density * 1e-6
-        half_width = side * math.sin(math.radians(tip / 2))
-        particle = f'shape = "rhombus"\nside = "{side} mm"\ntip_angle = "{tip} deg"\nthickness = "{thickness} mm"\nmass = "{mass:.4f} g"'
-        elements = round(4 * max(1, half_width / (thickness / 2)), 3)
-    return f"""geometry = "block"
-[particle]
-{particle}
-speed = "{speed} m/s"
-[target]
-density = "1010 kg/m3"
-mu = "{mu} kPa"
-alpha = {alpha}
-depth = "100 mm"
-width = "{wall} mm"
-[target.erosion]
-strain = {strain}
-[mesh]
-elements_per_radius = {elements}
-"""
-
-
-MEASURED = re.compile(r"moves the depth by ([-+.\d]+) %, standard error ([.\d]+) %")
-
-
-def rules(program, count=20):
-    """What wall, time step and K do to the depths of random blocks, over the rules that axisymmetric scenes gave."""
-    rng, over = random.Random(7), {}
-    for _ in range(count):
-        scene = program.scene(random_block(rng))
-        ask = lambda *options: program.ask("impact", scene, "--threads", "1", *program.kept(), *THREE, *options)
-        ruled = ask()
-        if ruled["outcome"] != "stopped":
-            continue
-        for rule, part in zip(ruled["depth_error"]["sources"], ask("--measure-errors")["depth_error"]["sources"]):
-            found = MEASURED.search(part["how"])
-            if found and rule["half_width_m"]:
-                change, error = (abs(float(words)) / 100 * ruled["depth_m"] / rule["half_width_m"] for words in found.groups())
-                over.setdefault(rule["source"], []).append((change, error))
-    rows = [[source, len(pairs), sum(change <= 1 for change, _ in pairs), sum(change - 2 * error <= 1 for change, error in pairs), f"{statistics.median(change for change, _ in pairs):.2f}", f"{max(change for change, _ in pairs):.1f}"]
-            for source, pairs in over.items()]
-    return table(["source", "scenes", "within the rule", "or beyond it by less than two standard errors", "median, over the rule", "worst"], rows)
 
 
 def angularity(program, file):
