@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/ball_job.hpp"
 #include "support/program.hpp"
 
 namespace percal {
@@ -51,26 +52,7 @@ after = "passage"
 
   void calibrate(const std::string& rows, const std::string& columns) const {
     write("shots.csv", rows);
-    write("job.toml", R"(dehn = false
-bootstrap = 0
-[parameters.mu]
-kind = "modulus"
-low = "100 kPa"
-high = "900 kPa"
-[materials.gel]
-density = "1010 kg/m3"
-mu = "mu"
-alpha = 8
-erosion_strain = 0.8
-[[shots]]
-name = "balls"
-material = "gel"
-file = "shots.csv"
-diameter = "3.18 mm"
-particle_density = "7800 kg/m3"
-speed_column = "speed_m_s"
-layer_depth = "25 mm"
-layer_width = "19.08 mm"
+    write("job.toml", "dehn = false\nbootstrap = 0\n" + test::ball_job("100 kPa") + R"(layer_width = "19.08 mm"
 )" + columns + R"(
 [training]
 coarse = 6

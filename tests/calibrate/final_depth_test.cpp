@@ -10,6 +10,7 @@
 #include "percal/campaign/campaign.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/predict/predictor.hpp"
+#include "support/ball_job.hpp"
 #include "support/program.hpp"
 #include "support/replaced.hpp"
 
@@ -27,25 +28,7 @@ class FinalDepthJob : public test::Program {
  protected:
   std::string job_of(const std::string& rows, const std::string& keys = "") const {
     write("shots.csv", "speed_m_s,depth_mm,final_mm,outcome,left_m_s\n" + rows);
-    return write("job.toml", R"(
-[parameters.mu]
-kind = "modulus"
-low = "50 kPa"
-high = "900 kPa"
-[materials.gel]
-density = "1010 kg/m3"
-mu = "mu"
-alpha = 8
-erosion_strain = 0.8
-[[shots]]
-name = "balls"
-material = "gel"
-file = "shots.csv"
-diameter = "3.18 mm"
-particle_density = "7800 kg/m3"
-speed_column = "speed_m_s"
-layer_depth = "25 mm"
-depth_column = "depth_mm"
+    return write("job.toml", test::ball_job() + R"(depth_column = "depth_mm"
 final_depth_column = "final_mm"
 outcome_column = "outcome"
 speed_left_column = "left_m_s"

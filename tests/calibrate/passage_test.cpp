@@ -6,6 +6,7 @@
 #include "percal/calibrate/kept_model.hpp"
 #include "percal/invert/reach.hpp"
 #include "percal/predict/predictor.hpp"
+#include "support/ball_job.hpp"
 #include "support/program.hpp"
 
 namespace percal {
@@ -19,26 +20,12 @@ class PassageJob : public test::Program {
   CalibrationJob read(const std::string& rows, const std::string& keys = "",
                       const std::string& header = "speed_m_s,depth_mm,outcome,left_m_s") const {
     write("shots.csv", header + "\n" + rows);
-    return read_calibration_job(write("job.toml", R"(
-[parameters.mu]
-kind = "modulus"
-low = "50 kPa"
-high = "900 kPa"
-[materials.gel]
-density = "1010 kg/m3"
-mu = "mu"
-alpha = 8
-erosion_strain = 0.8
-[[shots]]
-name = "balls"
-material = "gel"
-file = "shots.csv"
-diameter = "3.18 mm"
-particle_density = "7800 kg/m3"
-speed_column = "speed_m_s"
-layer_depth = "25 mm"
-)" + (keys.empty() ? "depth_column = \"depth_mm\"\noutcome_column = \"outcome\"\nspeed_left_column = \"left_m_s\"\n"
-                   : keys)));
+    return read_calibration_job(
+        write("job.toml",
+              test::ball_job() +
+                  (keys.empty()
+                       ? "depth_column = \"depth_mm\"\noutcome_column = \"outcome\"\nspeed_left_column = \"left_m_s\"\n"
+                       : keys)));
   }
   std::string refusal(const std::string& rows, const std::string& keys = "") const {
     try {

@@ -69,7 +69,8 @@ class DepthCovariance {
   Eigen::VectorXd variances(const MeshPoints& points) const;
   // Of runs: the smooth depth, and each run's own noise.
   Eigen::MatrixXd of_runs(const MeshPoints& runs) const;
-  double noise(double h) const;  // standard deviation; h over 0.1
+  double noise(double h) const;                                  // standard deviation; h over 0.1
+  Eigen::VectorXd mesh_factors(const Eigen::VectorXd& h) const;  // h^q; 0 where there is no mesh part
 
   // Of sum_ab G_ab K_ab (K as of_runs says, G symmetric) with respect to the parameters. Amplitudes, lengths and noise stand for
   // their logarithms.
@@ -77,7 +78,6 @@ class DepthCovariance {
 
  private:
   bool has_mesh() const { return parameters_.mesh_amplitude > 0; }
-  Eigen::VectorXd mesh_factors(const Eigen::VectorXd& h) const;  // h^q; 0 where there is no mesh part
 
   friend class WeightedCovariance;
   CovarianceParameters parameters_;

@@ -108,6 +108,9 @@ void take_scene(const InvertWords& words, InvertRequest& request) {
   refuse_beside_scene(words);
   Scene scene = one_layer_scene(words.scene);
   LayerScene& layer = scene.target;
+  if (!(layer.depth > std::max(request.depth, scene.particle.radius)))
+    refuse_option("--depth", format_quantity(request.depth, dimension::length),
+                  "less than the depth of the scene's target");
   const auto& strain = std::get<StrainErosion>(layer.erosion);
   request.material = {.density = layer.density,
                       .mu_true = true_modulus(layer.mu_as_given, layer.alpha, layer.convention),
@@ -143,6 +146,9 @@ void take_sphere(const InvertWords& words, InvertRequest& request) {
       .speed = needed(words.speed, "--speed", dimension::speed, "the sphere's speed, such as \"180 m/s\""),
       .layer_depth = needed(words.layer_depth, "--layer-depth", dimension::length, "the target's depth, such as 150mm"),
       .layer_width = 0};
+  if (!(request.shot.layer_depth > std::max(request.depth, request.shot.radius)))
+    refuse_option("--layer-depth", format_quantity(request.shot.layer_depth, dimension::length),
+                  "more than the depth and the sphere's radius");
   request.material = {
       .density = needed(words.density, "--density", dimension::density, "the layer's density, such as \"1030 kg/m3\""),
       .alpha = alpha_of(words),
@@ -219,11 +225,6 @@ InvertRequest understood(const InvertWords& words) {
     take_sphere(words, request);
   else
     take_scene(words, request);
-  if (!(request.shot.layer_depth > std::max(request.depth, request.shot.radius)))
-    refuse_option(words.scene.empty() ? "--layer-depth" : "--depth",
-                  format_quantity(words.scene.empty() ? request.shot.layer_depth : request.depth, dimension::length),
-                  words.scene.empty() ? "more than the depth and the sphere's radius"
-                                      : "less than the depth of the scene's target");
   if (request.elements_per_radius == 0) request.elements_per_radius = elements_of(words, request);
   first_run(request);
   return request;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "percal/math/root.hpp"
 #include "percal/predict/mixture.hpp"
@@ -22,6 +23,18 @@ Between interval_of(const Mixture& mixture, double level) {
 }
 
 Between natural(const Between& logarithms) { return {std::exp(logarithms.low), std::exp(logarithms.high)}; }
+
+// One shot about the sample's answers, `centres`: to `range`, of which by_emulator and by_speed are known, all the rest.
+Mixture about_sample(Eigen::VectorXd centres, const SampleScatter& own, double level, PredictedRange& range) {
+  Mixture mixture{.centres = std::move(centres), .deviation = std::max(least_deviation, range.by_emulator)};
+  range.by_scatter = own.scatter;
+  range.by_parameters = mixture.spread();
+  range.mean = natural(interval_of(mixture, level));
+  mixture.deviation = std::hypot(mixture.deviation, range.by_scatter, range.by_speed);
+  mixture.freedom = own.freedom;
+  range.shot = natural(interval_of(mixture, level));
+  return mixture;
+}
 
 SphereShot with(SphereShot shot, ShotNumber number, double value) {
   if (number == ShotNumber::speed) shot.speed = value;
@@ -95,17 +108,10 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
     DepthPrediction prediction;
     prediction.speed_exponent = answer.gradient.row(0).dot(best.by_log_speed);
     prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
-    prediction.by_scatter = material().scatter;
     prediction.by_speed = std::abs(prediction.speed_exponent) * speed_error;
-    Mixture mean{.centres = of_points.col(static_cast<Eigen::Index>(k)),
-                 .deviation = std::max(least_deviation, prediction.by_emulator)};
-    prediction.by_parameters = mean.spread();
-    prediction.depth = std::exp(mean.centres[0]);
-    prediction.mean = natural(interval_of(mean, level_));
-    Mixture shot = mean;
-    shot.deviation = std::hypot(mean.deviation, prediction.by_scatter, prediction.by_speed);
-    shot.freedom = material().freedom;
-    prediction.shot = natural(interval_of(shot, level_));
+    const Mixture shot = about_sample(of_points.col(static_cast<Eigen::Index>(k)),
+                                      {material().scatter, material().freedom}, level_, prediction);
+    prediction.depth = std::exp(shot.centres[0]);
     prediction.passes = 1 - shot.share_below(std::log(shots[k].layer_depth));
     prediction.outside = outside(shots[k]);
     for (const auto& [number, learnt] : model_->beside)
@@ -122,21 +128,13 @@ NumberPrediction Predictor::number(RunNumber number, const SphereShot& shot, dou
   const double h = 1 / model_->elements;
   const ShotInputs best = shot_inputs(shot, material().points.front());
   const DepthAnswers answer = emulators_.answers({best.at}, {number}, h, true);
-  const auto& [scatter, freedom] = material().beside.at(number);
   NumberPrediction prediction;
   prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
-  prediction.by_scatter = scatter;
   prediction.by_speed = std::abs(answer.gradient.row(0).dot(best.by_log_speed)) * speed_error;
-  Mixture mean{.centres = emulators_.answers(at, std::vector(at.size(), number), h, false).log_depth,
-               .deviation = std::max(least_deviation, prediction.by_emulator)};
-  mean.centres.array() += std::log(shot.radius);
-  prediction.by_parameters = mean.spread();
-  prediction.value = std::exp(mean.centres[0]);
-  prediction.mean = natural(interval_of(mean, level_));
-  Mixture one = mean;
-  one.deviation = std::hypot(mean.deviation, prediction.by_scatter, prediction.by_speed);
-  one.freedom = freedom;
-  prediction.shot = natural(interval_of(one, level_));
+  VectorXd centres = emulators_.answers(at, std::vector(at.size(), number), h, false).log_depth;
+  centres.array() += std::log(shot.radius);
+  prediction.value = std::exp(centres[0]);
+  about_sample(std::move(centres), material().beside.at(number), level_, prediction);
   return prediction;
 }
 

@@ -12,23 +12,24 @@
 
 namespace percal {
 
-// Another number of a shot, that runs tell beside its depth.
-struct NumberPrediction {
-  double value = 0;    // m: at the best point of the sample
-  Between mean, shot;  // m: as below
+// Where a number of a shot may be, m.
+struct PredictedRange {
+  Between mean;  // of the mean over many such shots: parameters and emulator
+  Between shot;  // of one such shot: its scatter and its speed's error, too
   // Standard deviations of its logarithm by source.
   double by_parameters = 0, by_emulator = 0, by_scatter = 0, by_speed = 0;
 };
 
+// Another number of a shot, that runs tell beside its depth.
+struct NumberPrediction : PredictedRange {
+  double value = 0;  // m: at the best point of the sample
+};
+
 // The depth of a shot in a layer that it does not pass through; of a model that knows what passes, its reach (invert/reach.hpp).
-struct DepthPrediction {
-  double depth = 0;           // m: at the best point of the sample
-  Between mean;               // m: of the mean over many such shots: parameters and emulator
-  Between shot;               // m: of one such shot: its scatter and its speed's error, too
-  double passes = 0;          // probability that one such shot goes as deep as the layer
-  double speed_exponent = 0;  // d ln depth / d ln speed
-  // Standard deviations of ln depth by source.
-  double by_parameters = 0, by_emulator = 0, by_scatter = 0, by_speed = 0;
+struct DepthPrediction : PredictedRange {
+  double depth = 0;                  // m: at the best point of the sample
+  double passes = 0;                 // probability that one such shot goes as deep as the layer
+  double speed_exponent = 0;         // d ln depth / d ln speed
   std::vector<std::string> outside;  // in which ways this goes beyond what the calibration has seen; empty: in none
   std::map<RunNumber, NumberPrediction> beside = {};  // of the numbers that the model knows
 };

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <regex>
 
 #include "percal/base/error.hpp"
@@ -22,11 +21,6 @@ using page::Json;
 
 Json to_json(const Eigen::VectorXd& numbers) { return std::vector<double>(numbers.begin(), numbers.end()); }
 
-// (h/0.1)^q; 0 where there is no mesh part.
-double mesh_factor(const CovarianceParameters& parameters, double h) {
-  return parameters.mesh_amplitude > 0 ? std::pow(h / reference_h, parameters.mesh_order) : 0;
-}
-
 // In scaled inputs, so that the page needs neither runs nor settings.                     docs/theory/emulator.md (4) to (6)
 Json emulator_to_json(const ShotModel& model) {
   const TrainingData data(model.runs);
@@ -36,13 +30,12 @@ Json emulator_to_json(const ShotModel& model) {
   if (!process)
     throw BadInput({}, "settings of the emulator with which its covariance is not positive definite",
                    "a shot_model as percal calibrate wrote it");
-  Json runs = Json::array(), mesh = Json::array(), noise = Json::array();
+  Json runs = Json::array(), noise = Json::array();
   for (std::size_t i = 0; i < model.runs.size(); ++i) {
     runs.push_back(to_json(data.points.inputs.row(static_cast<Eigen::Index>(i))));
-    mesh.push_back(mesh_factor(parameters, model.runs[i].h));
     noise.push_back(covariance.noise(model.runs[i].h / reference_h));
   }
-  const double at_rest = subsonic_bulk_ratio(0);
+  const double at_rest = subsonic_bulk_ratio(0), h = 1 / model.elements / reference_h;
   return {{"seen", data.scale.seen},
           {"centre", to_json(data.scale.centre)},
           {"half_range", to_json(data.scale.half_range)},
@@ -52,9 +45,9 @@ Json emulator_to_json(const ShotModel& model) {
           {"mesh_length", to_json(parameters.mesh_length)},
           {"plane_variance", data.plane_deviation * data.plane_deviation},
           {"mean", data.mean},
-          {"mesh_here", mesh_factor(parameters, 1 / model.elements)},
+          {"mesh_here", covariance.mesh_factors(Eigen::VectorXd::Constant(1, h))[0]},
           {"runs", runs},
-          {"mesh", mesh},
+          {"mesh", to_json(covariance.mesh_factors(data.points.h))},
           {"noise", noise},
           {"weights", to_json(process->weights())},
           {"bulk", {{"least", least_bulk_ratio}, {"at_rest", at_rest}, {"by_pi4", subsonic_bulk_ratio(1) - at_rest}}}};
@@ -70,19 +63,6 @@ int material_to_begin_with(const ShotModel& model) {
 // Nothing in it ends a script or begins a comment.
 std::string as_script(const Json& data) {
   return std::regex_replace(data.dump(-1, ' ', false, Json::error_handler_t::replace), std::regex("<"), "\\u003c");
-}
-
-// Of bytes in hexadecimal digits.
-std::string base64_of_hex(const std::string& hex) {
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < hex.size(); k += 6) {
-    const std::string three = hex.substr(k, 6);
-    const auto bits = std::stoul(three + std::string(6 - three.size(), '0'), nullptr, 16);
-    for (int place = 0; place < 4; ++place)
-      text += place * 6 < static_cast<int>(three.size()) * 4 ? digits[bits >> (18 - 6 * place) & 63] : '=';
-  }
-  return text;
 }
 
 std::string summary_of(const ShotModel& model) {
@@ -118,7 +98,7 @@ std::string explorer_page(const ShotModel& model, const std::string& result) {
       "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p class=\"summary\">{}</p>\n"
       "</header>\n{}<footer>Written by percal {} report --explore.</footer>\n"
       "<script type=\"application/json\" id=\"data\">{}</script>\n<script>{}</script>\n</body>\n</html>\n",
-      base64_of_hex(sha256(script)), escaped(version()), escaped("Play with " + result), page::style_sheet,
+      sha256_in_base64(script), escaped(version()), escaped("Play with " + result), page::style_sheet,
       files.at("page.css"), escaped("Play with " + result), escaped(summary_of(model)), files.at("page.html"),
       escaped(version()), as_script(data), script);
 }

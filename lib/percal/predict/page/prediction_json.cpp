@@ -32,7 +32,7 @@ Json speed_left_to_json(const DepthPrediction& depth, const SphereShot& shot) {
 }
 
 // Of a depth, or of another number.
-Json errors_to_json(const auto& prediction) {
+Json errors_to_json(const PredictedRange& prediction) {
   return {{"parameters", finite(prediction.by_parameters)},
           {"emulator", finite(prediction.by_emulator)},
           {"scatter", finite(prediction.by_scatter)},
