@@ -21,6 +21,9 @@ SIZES = [{"nf": 10}, {"nf": 14}, {"nf": 21}, {"nf": 25, "depth": 75, "end": 20},
          {"nf": 60, "depth": 75, "end": 5}, dict(MILLION, end=4)]
 TEN_MILLION = {"nf": 299, "graded": 150, "depth": 75, "end": 0.005}
 
+# What earlier runs of this script said on other machines, with the same bits: to 75,000 elements, above, million element-steps/s; the thesis's run, CPU s and wall s on two threads.
+OTHER_MACHINES = [["Intel Xeon, AVX-512, 2026-11-30, load 2 to 5", "136 to 155", "110 to 144", "20.1", "11.6"]]
+
 # Of one element-step, counted from element.hpp, internal_forces.hpp and contact_and_motion.hpp. Additions, multiplications, divisions and
 # square roots count one each; comparisons, selections, minima, maxima and integer operations are left out.
 FLOPS = {"gradient and hourglass mode": 27, "principal stretches": 39, "isochoric powers (two logarithms, two exponentials)": 75, "principal stresses": 9,
@@ -245,6 +248,10 @@ elements of the rows that were advanced, times their steps.
 ## Against the targets
 
 {table(["what", "wanted", "measured", ""], targets(slowest, by_size, longer, runs, million, largest, pair, cheapest))}
+
+The same program on other machines, single precision, two rates:
+
+{table(["machine", f"to {SMALL:,} elements", "above", "the thesis's run, CPU s", "on two threads, s"], OTHER_MACHINES)}
 
 ## Million element-steps a processor second, one core
 
