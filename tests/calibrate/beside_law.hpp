@@ -9,6 +9,10 @@ inline double final_law(const SphereInputs& at) {
   return -0.45 + 0.06 * at.log_pi4 - 0.05 * at.log_pi5 - 0.1 * std::log(at.erosion_strain);
 }
 
+// ln of the depth at half the speed over the deepest, and of the largest channel radius over the sphere's.
+inline double half_speed_law(const SphereInputs& at) { return -0.4 + 0.01 * at.log_pi4; }
+inline double channel_law(const SphereInputs& at) { return 0.05 + 0.14 * at.log_pi4 - 0.05 * at.log_pi5; }
+
 template <class Law>
 Emulators with_number(Emulators emulators, RunNumber number, const Law& law, double noise) {
   std::vector<TrainingRun> runs = emulators.depth.runs();

@@ -135,6 +135,25 @@ TEST_F(CampaignTest, AChannelThatTheStoreLacksIsRunOnceAndKept) {
   EXPECT_EQ(store->size(), 1);
 }
 
+TEST_F(CampaignTest, AKeptResultThatIsOlderThanTheDepthAtHalfTheSpeedIsRunAgainWhereItIsAskedFor) {
+  Campaign campaign(store.get(), 1);
+  Problem stops = quick();
+  stops.depth = 40;
+  stops.end_time = 1000;
+  Evaluation older = campaign.evaluate(stops);
+  ASSERT_EQ(older.result.outcome, Outcome::stopped);
+  const double depth = older.result.half_speed_depth;
+  EXPECT_GT(depth, 0.3 * older.result.depth);
+  older.result.half_speed_depth = 0;
+  store->replace(evaluation_key(stops, older.instruction_level), as_stored(older));
+  EXPECT_TRUE(campaign.evaluate(stops).reused);
+  stops.half_speed_depth = true;
+  EXPECT_FALSE(campaign.evaluate(stops).reused);
+  const Evaluation again = campaign.evaluate(stops);
+  EXPECT_TRUE(again.reused);
+  EXPECT_EQ(again.result.half_speed_depth, depth);
+}
+
 TEST_F(CampaignTest, ARunToRestIsKeptApart) {
   Campaign campaign(store.get(), 1);
   Problem thin = quick();

@@ -321,6 +321,26 @@ Problem skew_prism() {
   return p;
 }
 
+// Between the points of a history whose steps are no longer than a run's.
+TEST(HalfSpeed, IsWhereTheHistoryHasHalfTheSpeed) {
+  for (const double factor : {1.0, 0.97}) {
+    Problem p = comes_to_rest();
+    p.until = RunUntil::deepest;
+    p.speed_factor = factor;
+    p.history_samples = 100000;
+    const ImpactResult result = run_impact(p);
+    ASSERT_EQ(result.outcome, Outcome::stopped);
+    std::size_t k = 1;
+    while (result.history[k].speed > 0.5 * factor) ++k;
+    EXPECT_GT(result.half_speed_depth, result.history[k - 1].tip - 0.02);
+    EXPECT_LT(result.half_speed_depth, result.history[k].tip + 0.02);
+    EXPECT_GT(result.half_speed_depth, 0.3 * result.depth);
+  }
+  Problem through = passes_through();
+  through.depth = 2;
+  EXPECT_EQ(run_impact(through).half_speed_depth, 0) << "it had more when it left";
+}
+
 TEST(Channel, IsThatOfTheFields) {
   for (Problem p : {to_rest(thrown_back()), passes_through(), skew_prism()}) {
     p.channel = true;

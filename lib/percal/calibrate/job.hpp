@@ -189,6 +189,7 @@ struct TrainingSettings {
   double failures_tolerated = 0.5;  // share of runs without a depth; above it the job stops and says why
   bool passage =
       false;  // runs that pass their layer go on, and are learnt from, whether or not a shot tells of passing
+  std::set<RunNumber> learn = {};  // numbers beside the depth, whether or not a shot tells them
   int verify_replicates = 1;  // all shots together tell whether the emulator holds
   unsigned seed = 20090401;   // of points drawn from the data, and of the phases of the training meshes
 };
@@ -240,9 +241,9 @@ inline bool learns_passage(const CalibrationJob& job) {
          std::ranges::any_of(job.shots, [](const MeasuredShot& shot) { return is_of_passage(shot.datum); });
 }
 
-// The numbers beside the depth that its shots tell, each once.
+// The numbers beside the depth that its shots tell, or that it wants to be learnt, each once.
 inline std::set<RunNumber> numbers_of(const CalibrationJob& job) {
-  std::set<RunNumber> numbers;
+  std::set<RunNumber> numbers = job.training.learn;
   for (const MeasuredShot& shot : job.shots)
     if (shot.number != RunNumber::depth) numbers.insert(shot.number);
   return numbers;

@@ -70,7 +70,7 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulators& 
     static_cast<SphereShot&>(fired) = shot;
     fired.label = shot.label;
     fired.material = shot.target;
-    if (shot.datum != ShotDatum::none && shot.datum != ShotDatum::at_most && shot.datum != ShotDatum::stopped)
+    if (tells_depth(shot) && shot.datum != ShotDatum::at_most && shot.datum != ShotDatum::stopped)
       fired.depth = shot.datum == ShotDatum::speed_left ? shot.layer_depth : shot.depth;
     fired.seen = seen_words(shot);
     fired.fitted = shot.used;

@@ -57,7 +57,8 @@ Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const Cove
   scene.mesh.elements_per_radius = elements_per_radius;
   scene.solver = job.solver;
   if (learns_passage(job)) scene.output.after = RunUntil::passage;
-  ask_for(scene.output, shot.number);
+  kind_of(shot.number).ask(scene.output);
+  for (const RunNumber number : job.training.learn) kind_of(number).ask(scene.output);
   return scene_of_shot(std::move(scene), shot, material);
 }
 

@@ -110,7 +110,7 @@ void Training::fill_space() {
   for (const auto& [number, beside] : beside_) {
     std::vector<int> telling;
     for (const int shot : all_shots(job_))
-      if (job_.shots[shot].number == number) telling.push_back(shot);
+      if (job_.shots[shot].number == number || job_.training.learn.contains(number)) telling.push_back(shot);
     while (lacks(number) && !full() && !out_of_time()) {
       const auto batch = space_filling_batch(std::min(job_.training.batch, job_.training.most - design_runs_), telling);
       if (batch.empty()) break;
@@ -165,9 +165,12 @@ void Training::add_round(const std::vector<Target>& targets, const std::vector<C
     on(&Candidate::coarse, count - fine);
   };
   const int count = std::min(job_.training.batch, job_.training.most - design_runs_);
-  const int of_each = count / (1 + static_cast<int>(beside_.size()));
-  choose(RunNumber::depth, *emulator_, count - of_each * static_cast<int>(beside_.size()));
-  for (const auto& [number, beside] : beside_) choose(number, *beside.emulator, of_each);
+  std::set<RunNumber> wanted;  // those that a datum is of: others learn from what is run for them
+  for (const Target& target : targets)
+    if (target.number != RunNumber::depth) wanted.insert(target.number);
+  const int of_each = count / (1 + static_cast<int>(wanted.size()));
+  choose(RunNumber::depth, *emulator_, count - of_each * static_cast<int>(wanted.size()));
+  for (const RunNumber number : wanted) choose(number, *beside_.at(number).emulator, of_each);
   run(batch);
   learn();
 }
@@ -210,7 +213,7 @@ void Training::count(const std::vector<Problem>& problems, const std::vector<std
 // Of a run that was asked for them.
 void Training::take_numbers(const Problem& problem, const ImpactResult& result) {
   for (auto& [number, beside] : beside_) {
-    if (!asks_for(problem, number)) continue;
+    if (!kind_of(number).asked(problem)) continue;
     const auto log_share = kind_of(number).log_of(result);
     beside.without += !log_share;
     if (log_share) beside.runs.push_back(training_run(problem, std::exp(*log_share)));

@@ -195,7 +195,7 @@ namespace {
 constexpr std::size_t worth_the_way = 4;                   // runs
 constexpr std::chrono::milliseconds between_attempts{20};  // at what others are at
 
-// Problems that are the same are evaluated once; those with a history or a channel apart from those without.
+// Problems that are the same are evaluated once; those that ask for more than their key says, apart from those that do not.
 struct Distinct {
   std::vector<std::size_t> stands_for;  // of each problem, the first that is the same
   std::vector<std::size_t> first;       // those, in order
@@ -209,6 +209,7 @@ Distinct distinct_among(const Tasks& tasks) {
     std::string key = tasks[i].key;
     if (tasks[i].problem.history_samples > 0) key += " history";
     if (tasks[i].problem.channel) key += " channel";
+    if (tasks[i].problem.half_speed_depth) key += " half speed";
     const auto [place, is_new] = first_with_key.try_emplace(key, i);
     distinct.stands_for.push_back(place->second);
     if (is_new) distinct.first.push_back(i);

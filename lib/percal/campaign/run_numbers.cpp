@@ -9,20 +9,46 @@ namespace {
 
 std::optional<double> none_beside(const ImpactResult&) { return std::nullopt; }
 
+std::optional<double> log_of_positive(double value) {
+  return value > 0 ? std::optional(std::log(value)) : std::nullopt;
+}
+
 // Of a sphere that stopped in the target and stayed there.
 std::optional<double> log_final_share(const ImpactResult& result) {
   if (result.outcome != Outcome::stopped || !result.aftermath || result.aftermath->ending != Ending::rests)
     return std::nullopt;
-  const double share = result.aftermath->depth / result.depth;
-  return share > 0 ? std::optional(std::log(share)) : std::nullopt;
+  return log_of_positive(result.aftermath->depth / result.depth);
 }
 
+std::optional<double> log_half_speed_share(const ImpactResult& result) {
+  if (result.outcome != Outcome::stopped) return std::nullopt;
+  return log_of_positive(result.half_speed_depth / result.depth);
+}
+
+std::optional<double> log_channel_radius(const ImpactResult& result) {
+  if (result.outcome != Outcome::stopped || result.channel.largest.empty()) return std::nullopt;
+  return log_of_positive(std::ranges::max(result.channel.largest));
+}
+
+void ask_nothing(OutputScene&) {}
+bool always(const Problem&) { return true; }
+
 constexpr RunNumberKind run_number_kinds[] = {
-    {"depth", "depth", "the deepest depth over the radius", true, "", RunUntil::deepest, none_beside},
+    {"depth", "depth", "the deepest depth over the radius", true, "", ask_nothing, always, none_beside},
     {"final_depth", "final depth", "the final depth over the deepest", true,
      " Nothing but the roughness of its channel holds a sphere in these runs: what really holds it, friction or "
      "relaxation, is not in them. A deepest depth tells more, and so does a final one as a bound (at_least).",
-     RunUntil::rest, log_final_share}};
+     [](OutputScene& output) { output.after = RunUntil::rest; },
+     [](const Problem& problem) { return problem.until == RunUntil::rest; }, log_final_share},
+    {"half_speed_depth", "depth at half the speed", "the depth at half of the impact speed over the deepest", true,
+     " It is nearly the same share of the deepest depth whatever the material: it tells of a shot whose end was not "
+     "seen how deep it goes, and next to nothing else.",
+     [](OutputScene& output) { output.half_speed_depth = true; },
+     [](const Problem& problem) { return problem.half_speed_depth; }, log_half_speed_share},
+    {"channel_radius", "largest channel radius", "the largest radius of the channel over the sphere's", false,
+     " It is that of the walls which erosion leaves, at ten depths, at its largest: no rim and no crack beside it.",
+     [](OutputScene& output) { output.channel = true; }, [](const Problem& problem) { return problem.channel; },
+     log_channel_radius}};
 
 // Adds what one emulator says of the points `rows` of all.
 void add(DepthAnswers& all, const DepthAnswers& some, const std::vector<Eigen::Index>& rows) {
@@ -40,10 +66,6 @@ std::optional<RunNumber> run_number_of(const std::string& key) {
   if (found == std::end(run_number_kinds)) return std::nullopt;
   return static_cast<RunNumber>(found - std::begin(run_number_kinds));
 }
-
-void ask_for(OutputScene& output, RunNumber number) { output.after = std::max(output.after, kind_of(number).after); }
-
-bool asks_for(const Problem& problem, RunNumber number) { return problem.until >= kind_of(number).after; }
 
 DepthAnswers Emulators::answers(const std::vector<SphereInputs>& at, const std::vector<RunNumber>& numbers, double h,
                                 bool with_covariance) const {

@@ -15,7 +15,7 @@
 namespace percal {
 
 // In the order of run_number_kinds.
-enum class RunNumber { depth, final_depth };
+enum class RunNumber { depth, final_depth, half_speed_depth, channel_radius };
 
 struct RunNumberKind {
   const char* key;      // in results
@@ -23,8 +23,9 @@ struct RunNumberKind {
   const char* learnt;   // what its emulator learns
   bool over_depth;      // that is a share of the deepest depth; else of the radius
   const char* caution;  // what a reader of it must know, a sentence with a blank before it
-  // What a run asks for beside the depth.
-  RunUntil after;
+  // Adds to what a scene's run is to tell; whether the run of a problem was asked for it.
+  void (*ask)(OutputScene& output);
+  bool (*asked)(const Problem& problem);
   // ln of what is learnt; nothing of a run that does not tell it.
   std::optional<double> (*log_of)(const ImpactResult& result);
 };
@@ -33,12 +34,8 @@ const RunNumberKind& kind_of(RunNumber number);
 // The number of that key; nothing where there is none.
 std::optional<RunNumber> run_number_of(const std::string& key);
 // All but the depth.
-inline constexpr RunNumber numbers_beside[] = {RunNumber::final_depth};
-
-// Adds to what a scene's run is to tell.
-void ask_for(OutputScene& output, RunNumber number);
-// Whether the run of a problem was asked for it.
-bool asks_for(const Problem& problem, RunNumber number);
+inline constexpr RunNumber numbers_beside[] = {RunNumber::final_depth, RunNumber::half_speed_depth,
+                                               RunNumber::channel_radius};
 
 // An emulator of the depth (invert/reach.hpp) and those beside it.
 struct Emulators {

@@ -123,6 +123,8 @@ struct ImpactResult {
   std::vector<HistoryPoint> history;  // empty unless asked for
   // Downwards, over the scene's impact speed, when the tip crossed the undeformed lower face of each layer that it crossed.
   std::vector<double> speeds_behind;
+  // Of the tip, radii, when half of the speed at impact was left; 0 where more of it was left, and of a block.
+  double half_speed_depth = 0;
   Channel channel;
   // What came then. The rest is of the moment at which a run without it ends, but for steps and element_steps, the history and the
   // channel.

@@ -74,6 +74,7 @@ std::string aftermath_text(const Aftermath& after) {
 // What only some runs have. Rows of earlier versions have none of it: lacks_something().
 void add_what_is_there(Members& members, const ImpactResult& r) {
   if (!r.speeds_behind.empty()) members["speeds_behind"] = list_text(r.speeds_behind);
+  if (r.half_speed_depth > 0) members["half_speed_depth"] = value_text(finite(r.half_speed_depth));
   if (!r.channel.largest.empty())
     members["channel"] = object_text({{"largest", list_text(r.channel.largest)}, {"end", list_text(r.channel.end)}});
   if (r.aftermath) members["aftermath"] = aftermath_text(*r.aftermath);
@@ -109,6 +110,7 @@ Aftermath aftermath_from(const Json& json) {
 
 void take_what_is_there(const Json& json, ImpactResult& r) {
   if (json.contains("speeds_behind")) r.speeds_behind = numbers(json.at("speeds_behind"));
+  if (json.contains("half_speed_depth")) r.half_speed_depth = number(json.at("half_speed_depth"));
   if (json.contains("channel"))
     r.channel = {.largest = numbers(json.at("channel").at("largest")), .end = numbers(json.at("channel").at("end"))};
   if (json.contains("aftermath")) r.aftermath = aftermath_from(json.at("aftermath"));
@@ -177,7 +179,8 @@ Evaluation from_payload(const std::string& payload) {
 
 bool lacks_something(const ImpactResult& result, const Problem& problem) {
   const auto crossed = std::ranges::count_if(problem.lower_faces(), [&](double face) { return result.depth >= face; });
-  return std::ssize(result.speeds_behind) < crossed || (problem.channel && result.channel.largest.empty());
+  return std::ssize(result.speeds_behind) < crossed || (problem.channel && result.channel.largest.empty()) ||
+         (problem.half_speed_depth && result.outcome == Outcome::stopped && !(result.half_speed_depth > 0));
 }
 
 }  // namespace percal

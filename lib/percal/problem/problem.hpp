@@ -51,6 +51,7 @@ struct Problem {
   // not change the result.
   int history_samples = 0;
   bool channel = false;  // ImpactResult::channel is kept; not part of the key either
+  bool half_speed_depth = false;  // a kept result without ImpactResult::half_speed_depth will not do; likewise
   // Past the deepest point: ImpactResult::aftermath. Changes nothing else that a run says of its depth.
   RunUntil until = RunUntil::deepest;
 

@@ -246,6 +246,7 @@ Reduction reduce(const Scene& scene) {
   take_solver(scene, p);
   if (scene.output.history) p.history_samples = usual_history_samples;
   p.channel = scene.output.channel;
+  p.half_speed_depth = scene.output.half_speed_depth;
   p.until = scene.output.after;
 
   reduction.bulk_modulus = p.bulk_ratio * reduction.mu_true;

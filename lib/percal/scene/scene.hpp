@@ -243,6 +243,7 @@ struct OutputScene {
   bool history = false;                // the penetration history as CSV
   RunUntil after = RunUntil::deepest;  // what a run is to tell last
   bool channel = false;                // the channel's radius along the depth
+  bool half_speed_depth = false;       // asked for by jobs whose data tell of it, without a key of its own: every run says it
   bool operator==(const OutputScene&) const = default;
 };
 

@@ -241,6 +241,21 @@ void read_materials(const TomlTable& root, CalibrationJob& job) {
   if (job.materials.empty()) root.refuse("materials", "no material", "one [materials.NAME] or more");
 }
 
+// By their keys in results.
+std::set<RunNumber> numbers_to_learn(const TomlTable& block) {
+  std::vector<std::string> names;
+  for (const RunNumber number : numbers_beside) names.emplace_back(kind_of(number).key);
+  block.describe("learn", {"array of words", listed(names), ""});
+  std::set<RunNumber> numbers;
+  if (!block.has("learn")) return numbers;
+  for (const std::string& name : block.texts("learn")) {
+    const auto number = run_number_of(name);
+    if (!number || *number == RunNumber::depth) block.refuse("learn", in_quotes(name), listed(names));
+    numbers.insert(*number);
+  }
+  return numbers;
+}
+
 void read_training(const TomlTable& root, CalibrationJob& job) {
   TrainingSettings& t = job.training;
   const bool length = has_erosion_length(job);
@@ -261,6 +276,7 @@ void read_training(const TomlTable& root, CalibrationJob& job) {
   t.accuracy = share_from(*block, "accuracy", some_share, t.accuracy);
   t.failures_tolerated = share_from(*block, "failures_tolerated", share, t.failures_tolerated);
   t.passage = block->flag("passage", t.passage);
+  t.learn = numbers_to_learn(*block);
   t.verify_replicates = block->integer("verify_replicates", 1, 100, t.verify_replicates);
   t.seed = static_cast<unsigned>(block->integer("seed", 0, 2147483647, static_cast<int>(t.seed)));
 }

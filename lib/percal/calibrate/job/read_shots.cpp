@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "percal/calibrate/job/read_job.hpp"
+#include "percal/calibrate/job/trajectory.hpp"
 #include "percal/invert/reach.hpp"
 #include "percal/scene/sphere_toml.hpp"
 #include "percal/text/job_table.hpp"
@@ -38,19 +41,25 @@ double depth_error_from(const TomlTable& block, double depth) {
   return block.quantity("depth_error", dimension::length, not_negative("length"));
 }
 
+// A record's own stays where none is given.
+void take_depth_error(const TomlTable& block, MeasuredShot& shot) {
+  const double given = depth_error_from(block, shot.depth);
+  if (given > 0 || block.has("depth_error")) shot.depth_error = given;
+}
+
 void read_depth_errors(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
   if (block.has("depth_error_column")) {
     for (const char* key : {"depth_error", "depth_error_where"})
       if (block.has(key)) block.refuse(key, "this beside depth_error_column", "one of the two");
     const auto errors = some_of_column(block, "depth_error_column", table, dimension::length, not_negative("length"));
-    for (std::size_t i = 0; i < shots.size(); ++i) shots[i].depth_error = errors[i].value_or(0);
+    for (std::size_t i = 0; i < shots.size(); ++i) shots[i].depth_error = errors[i].value_or(shots[i].depth_error);
     return;
   }
   if (block.has("depth_error_where") && !block.has("depth_error"))
     block.refuse("depth_error", "no such key beside depth_error_where", "the error of these rows");
   const auto meets = rows_meeting(block, "depth_error_where", table);
   for (std::size_t i = 0; i < shots.size(); ++i)
-    if (meets[i] && shots[i].depth > 0) shots[i].depth_error = depth_error_from(block, shots[i].depth);
+    if (meets[i] && shots[i].depth > 0) take_depth_error(block, shots[i]);
 }
 
 void read_use(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
@@ -83,6 +92,8 @@ void read_bounds(const TomlTable& block, const CsvTable& table, std::vector<Meas
   }
 }
 
+std::string column_of_number(RunNumber number) { return std::string(kind_of(number).key) + "_column"; }
+
 const std::string outcome_forms = "\"passed\" (perforated, complete) or \"stopped\" (caught, partial)";
 
 std::optional<ShotDatum> outcome_of(const std::string& text) {
@@ -96,29 +107,55 @@ std::optional<ShotDatum> outcome_of(const std::string& text) {
 
 // What was seen of one shot: numbers before words. `refuse` is for what contradicts itself.
 struct SeenOfShot {
-  std::optional<double> depth, final_depth, speed_left;
+  std::optional<double> depth;
+  std::map<RunNumber, double> beside = {};
+  std::optional<double> speed_left;
   std::optional<ShotDatum> outcome;
+  std::optional<RecordedShot> record;
 };
+
+// The record in place of numbers.
 template <class Refuse>
-void take(MeasuredShot& shot, const SeenOfShot& seen, const Refuse& refuse) {
+void take_record(MeasuredShot& shot, SeenOfShot& seen, const Refuse& refuse) {
+  if (seen.depth || !seen.beside.empty() || seen.speed_left || seen.outcome == ShotDatum::passed)
+    refuse("a number, or \"passed\", beside a trajectory", "one of the two");
+  shot.depth_error = seen.record->standard_error;
+  if (seen.record->end == RecordedShot::End::half_speed)
+    seen.beside[RunNumber::half_speed_depth] = seen.record->depth;
+  else
+    seen.depth = seen.record->depth;
+  if (seen.record->end == RecordedShot::End::still_faster) shot.datum = ShotDatum::at_least;
+}
+
+template <class Refuse>
+void check_numbers_beside(const SeenOfShot& seen, bool passed, const Refuse& refuse) {
+  for (const auto& [number, value] : seen.beside) {
+    const std::string words = std::string("a ") + kind_of(number).words;
+    if (passed) refuse(words + " of a shot that passed", words + ", or a speed left, or \"passed\"");
+    if (!kind_of(number).over_depth && (seen.depth || seen.beside.size() > 1))
+      refuse(words + " beside a depth", "a block of its own, for its scatter is another");
+    if (seen.depth && kind_of(number).over_depth && value > *seen.depth)
+      refuse(words + " of " + format_quantity(value, dimension::length),
+             "no more than the deepest depth, " + format_quantity(*seen.depth, dimension::length));
+  }
+}
+
+template <class Refuse>
+void take(MeasuredShot& shot, SeenOfShot seen, const Refuse& refuse) {
+  if (seen.record) take_record(shot, seen, refuse);
   const bool left = seen.speed_left.value_or(0) > 0;
   const bool stopped = seen.outcome == ShotDatum::stopped || (seen.speed_left && !left);
+  const bool passed = left || seen.outcome == ShotDatum::passed;
   if (left && stopped) refuse("a speed left of a shot that was stopped", "one of the two");
-  if (seen.depth && (left || seen.outcome == ShotDatum::passed))
-    refuse("a depth of a shot that passed", "a depth, or a speed left, or \"passed\"");
-  if (seen.final_depth && (left || seen.outcome == ShotDatum::passed))
-    refuse("a final depth of a shot that passed", "a final depth, or a speed left, or \"passed\"");
-  if (seen.depth && seen.final_depth && *seen.final_depth > *seen.depth)
-    refuse("a final depth of " + format_quantity(*seen.final_depth, dimension::length),
-           "no more than the deepest depth, " + format_quantity(*seen.depth, dimension::length));
+  if (seen.depth && passed) refuse("a depth of a shot that passed", "a depth, or a speed left, or \"passed\"");
+  check_numbers_beside(seen, passed, refuse);
   if (left && *seen.speed_left >= shot.speed)
     refuse("a speed left of " + format_quantity(*seen.speed_left, dimension::speed),
            "less than the speed at impact, " + format_quantity(shot.speed, dimension::speed));
   if (seen.depth) {
     shot.depth = *seen.depth;
-  } else if (seen.final_depth) {
-    shot.number = RunNumber::final_depth;
-    shot.depth = *seen.final_depth;
+  } else if (!seen.beside.empty()) {
+    std::tie(shot.number, shot.depth) = *seen.beside.begin();
   } else if (left) {
     shot.datum = ShotDatum::speed_left;
     shot.speed_left = *seen.speed_left;
@@ -128,18 +165,22 @@ void take(MeasuredShot& shot, const SeenOfShot& seen, const Refuse& refuse) {
     shot.datum = seen.outcome.value_or(ShotDatum::none);
     if (shot.datum == ShotDatum::none && shot.used)
       refuse("a fitted shot of which nothing was seen",
-             "a depth, a final depth, an outcome or a speed left; or use = \"predict\"");
+             "a depth, a final depth, another number, a trajectory, an outcome or a speed left; or use = \"predict\"");
   }
 }
 
 void read_seen(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
   const auto depths = some_of_column(block, "depth_column", table, dimension::length, length);
-  const auto final_depths = some_of_column(block, "final_depth_column", table, dimension::length, length);
+  std::map<RunNumber, std::vector<std::optional<double>>> beside;
+  for (const RunNumber number : numbers_beside)
+    beside[number] = some_of_column(block, column_of_number(number), table, dimension::length, length);
   const auto speeds_left = some_of_column(block, "speed_left_column", table, dimension::speed, not_negative("speed"));
   const int outcome = block.has("outcome_column") ? column_index(block, "outcome_column", table) : -1;
   block.knows("outcome_column");
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    SeenOfShot seen{.depth = depths[i], .final_depth = final_depths[i], .speed_left = speeds_left[i], .outcome = {}};
+    SeenOfShot seen{.depth = depths[i], .speed_left = speeds_left[i], .outcome = {}, .record = {}};
+    for (const auto& [number, values] : beside)
+      if (values[i]) seen.beside[number] = *values[i];
     const std::string word = outcome < 0 ? "" : table.cell(table.rows[i], outcome);
     if (!word.empty()) {
       seen.outcome = outcome_of(word);
@@ -180,6 +221,14 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
   return shots;
 }
 
+// The first of a point's numbers, for messages.
+std::string key_of_what_was_seen(const TomlTable& point) {
+  if (point.has("speed_left")) return "speed_left";
+  for (const RunNumber number : numbers_beside)
+    if (point.has(kind_of(number).key)) return kind_of(number).key;
+  return point.has("trajectory") ? "trajectory" : "depth";
+}
+
 MeasuredShot shot_of_point(const TomlTable& point) {
   MeasuredShot shot;
   const Sphere sphere = sphere_from(point, "particle_");
@@ -190,19 +239,19 @@ MeasuredShot shot_of_point(const TomlTable& point) {
   point.knows("outcome");
   SeenOfShot seen;
   seen.depth = point.optional_quantity("depth", dimension::length, length);
-  seen.final_depth = point.optional_quantity("final_depth", dimension::length, length);
+  for (const RunNumber number : numbers_beside)
+    if (const auto value = point.optional_quantity(kind_of(number).key, dimension::length, length))
+      seen.beside[number] = *value;
+  if (const auto path = record_path(point)) seen.record = recorded_shot(*path, point, shot.speed);
   seen.speed_left = point.optional_quantity("speed_left", dimension::speed, not_negative("speed"));
   if (point.has("outcome")) {
     seen.outcome = outcome_of(point.text("outcome"));
     if (!seen.outcome) point.refuse("outcome", in_quotes(point.text("outcome")), outcome_forms);
   }
   take(shot, seen, [&](const std::string& found, const std::string& accepted) {
-    point.refuse(point.has("speed_left")    ? "speed_left"
-                 : point.has("final_depth") ? "final_depth"
-                                            : "depth",
-                 found, accepted);
+    point.refuse(key_of_what_was_seen(point), found, accepted);
   });
-  shot.depth_error = depth_error_from(point, shot.depth);
+  take_depth_error(point, shot);
   for (const auto& [key, datum] : bounds) {
     if (!point.flag(key, false)) continue;
     if (shot.datum != ShotDatum::depth)
@@ -310,7 +359,10 @@ std::vector<MeasuredShot> shots_from(const TomlTable& block) {
 void read_shots(const TomlTable& root, CalibrationJob& job) {
   for (const TomlTable& block : root.tables("shots")) {
     auto shots = shots_from(block);
-    const int target = target_index(block, job), set = set_index(block, job), group = group_index(block, "shots", job);
+    const bool of_channels =
+        std::ranges::all_of(shots, [](const MeasuredShot& shot) { return shot.number == RunNumber::channel_radius; });
+    const int target = target_index(block, job), set = set_index(block, job),
+              group = group_index(block, of_channels ? "channel radii" : "shots", job);
     const bool several = job.targets.size() > 1;
     const double speed_error = block.quantity("speed_error", dimension::speed, not_negative("speed"), 0);
     for (MeasuredShot& shot : shots) {

@@ -41,6 +41,7 @@ struct FittedDepths {
 FittedDepths fitted_depths(const Json& hypothesis);
 const Json& datum_of(const Json& result, const Json& entry);  // the shot of the data that a hypothesis' entry is of
 double measured_depth(const Json& shot);                      // the depth, or the least depth
+bool is_along_depth(const Json& shot);                        // whether what was measured is a depth
 std::vector<std::string> each_once(const Json& shots, const char* key);  // a key's words, in the order of the shots
 void add_shots(Section& section, const Json& result, const Json& hypothesis, int number);
 Section depths_section(const Json& result);

@@ -17,6 +17,7 @@ namespace {
 Json measured_to_json(const MeasuredShot& shot) {
   const auto of = [&](ShotDatum datum, double value) { return shot.datum == datum ? Json(value) : Json(); };
   return {{"seen", seen_words(shot)},
+          {"number", kind_of(shot.number).key},
           {"measured_m", of(ShotDatum::depth, shot.depth)},
           {"measured_at_least_m", of(ShotDatum::at_least, shot.depth)},
           {"measured_at_most_m", of(ShotDatum::at_most, shot.depth)},
@@ -72,6 +73,11 @@ const Json& datum_of(const Json& result, const Json& entry) {
   const Json& shots = list(at(result, "data"), "shots");
   const double index = number_or(entry, "shot", -1);
   return index >= 0 && index < static_cast<double>(shots.size()) ? shots[static_cast<std::size_t>(index)] : nothing;
+}
+
+bool is_along_depth(const Json& shot) {
+  const auto number = run_number_of(text(shot, "number"));
+  return !number || kind_of(*number).over_depth;
 }
 
 double measured_depth(const Json& shot) {
@@ -182,7 +188,7 @@ Figure depths_figure(const Json& result, const Json& hypothesis, int number_of_h
            predicted = series(set + ", predicted", Mark::points_with_bars, colour + 1);
     for (const Json& entry : list(hypothesis, "shots")) {
       const Json& datum = datum_of(result, entry);
-      if (text(datum, "set") != set) continue;
+      if (text(datum, "set") != set || !is_along_depth(datum)) continue;
       const double radius = number_or(datum, "radius_m", nowhere), measured = measured_depth(entry) / radius;
       const double depth = number_or(entry, "depth_m", nowhere) / radius,
                    least = number_or(entry, "low_m", nowhere) / radius,
@@ -244,7 +250,7 @@ Section depths_section(const Json& result) {
     double deepest = 0;
     std::set<double> places;
     for (const Json& shot : shots)
-      if (text(shot, "material") == material) {
+      if (text(shot, "material") == material && is_along_depth(shot)) {
         deepest = std::max(deepest, measured_depth(shot));
         places.insert(impact_parameter(shot));
       }
@@ -262,7 +268,7 @@ Section depths_section(const Json& result) {
       int count = 0;
       for (const Json& entry : list(hypothesis, "shots")) {
         const Json& datum = datum_of(result, entry);
-        if (text(datum, "material") != material) continue;
+        if (text(datum, "material") != material || !is_along_depth(datum)) continue;
         const double x = impact_parameter(datum), depth = number_or(entry, "depth_m", nowhere) / unit.size;
         if (model.mark == Mark::points_with_bars)
           add_bar(model, x, depth, number_or(entry, "low_m", nowhere) / unit.size,
@@ -280,7 +286,7 @@ Section depths_section(const Json& result) {
     }
     Series measured = series("measured", Mark::points, 0), least = series("went at least so deep", Mark::points, -1);
     for (const Json& shot : shots)
-      if (text(shot, "material") == material)
+      if (text(shot, "material") == material && is_along_depth(shot))
         add_point(number(shot, "measured_m") ? measured : least, impact_parameter(shot),
                   measured_depth(shot) / unit.size);
     add(chart, std::move(measured));

@@ -11,11 +11,12 @@
 namespace percal::calibration_page {
 namespace {
 
-// What a sphere is called in labels: "steel 3.18 mm" of "steel 3.18 mm at 45 m/s"; with its final depths apart.
+// What a sphere is called in labels: "steel 3.18 mm" of "steel 3.18 mm at 45 m/s"; with its other numbers apart.
 std::string ball_of(const Json& datum) {
   const std::string label = text(datum, "label");
-  const std::string ball = label.substr(0, label.find(" at ")), seen = text(datum, "seen");
-  return seen.starts_with("final depth") ? ball + ", final depth" : ball;
+  const std::string ball = label.substr(0, label.find(" at "));
+  const auto number = run_number_of(text(datum, "number"));
+  return number.value_or(RunNumber::depth) == RunNumber::depth ? ball : ball + ", " + kind_of(*number).words;
 }
 
 // Shots of one sphere into one material by their speed.
@@ -31,7 +32,7 @@ BallsInMaterial balls_in(const std::string& material, const Json& result, const 
   BallsInMaterial all;
   for (const Json& entry : list(hypothesis, "shots")) {
     const Json& datum = datum_of(result, entry);
-    if (text(datum, "material") != material) continue;
+    if (text(datum, "material") != material || !is_along_depth(datum)) continue;
     const std::string name = ball_of(datum);
     auto ball = std::find_if(all.balls.begin(), all.balls.end(), [&](const auto& one) { return one.first == name; });
     if (ball == all.balls.end()) ball = all.balls.insert(ball, {name, {}});

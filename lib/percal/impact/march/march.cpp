@@ -7,6 +7,7 @@
 #include "percal/impact/march/channel_record.hpp"
 #include "percal/impact/march/contact_zone.hpp"
 #include "percal/impact/march/course.hpp"
+#include "percal/impact/march/half_speed.hpp"
 #include "percal/impact/march/layer_speeds.hpp"
 #include "percal/impact/march/recorder.hpp"
 #include "percal/impact/march/sweep.hpp"
@@ -36,6 +37,7 @@ class March {
         zone_(block_, kernel_, particle_, friction_coefficient(problem)),
         recorder_(problem.history_samples),
         layer_speeds_(problem),
+        half_speed_(problem),
         channel_(problem.channel, block_.mesh().rows),
         course_(problem),
         observer_(observer),
@@ -190,7 +192,9 @@ class March {
     particle_.drift(drift);
     time_ += drift;
     last_step_ = drift;
-    if (drift > 0) layer_speeds_.moved(time_, drift, tip, particle_.tip(), particle_.speed());
+    if (!(drift > 0)) return;
+    layer_speeds_.moved(time_, drift, tip, particle_.tip(), particle_.speed());
+    half_speed_.moved(tip, particle_.tip(), particle_.speed());
   }
 
   // Rows join the march when the last of those that move is no longer at rest.
@@ -277,6 +281,7 @@ class March {
     result_.turn = particle_.turn();
     result_.target_momentum = target_momentum();
     result_.speeds_behind = layer_speeds_.at_the_end(time_, particle_.speed());
+    result_.half_speed_depth = half_speed_.depth();
     course_.judge_energy();
   }
 
@@ -299,6 +304,7 @@ class March {
   ContactZone<Real, ParticleRun> zone_;
   Recorder recorder_;
   LayerSpeeds layer_speeds_;
+  HalfSpeedDepth half_speed_;
   ChannelRecord<Real> channel_;
   Course course_;
   ImpactResult& result_ = course_.result();
