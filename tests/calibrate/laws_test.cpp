@@ -3,8 +3,10 @@
 
 #include "calibrate/gel_job.hpp"
 #include "calibrate/law_checks.hpp"
+#include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/kept_model.hpp"
 #include "percal/estimate/intervals.hpp"
+#include "percal/math/statistics.hpp"
 #include "percal/predict/predictor.hpp"
 #include "support/program.hpp"
 
@@ -129,6 +131,39 @@ TEST(Laws, ASphereBelowACellMeetsAStrainOfItsOwn) {
 }
 
 // 100 truths: depths with 5 % scatter and, of the rate, curves beside them.
+// Balls of two sizes into a gel that the rate stiffens, shot by the solver on a coarse mesh as means over its phase, and two slow curves.
+TEST(SlowLaws, ComeBackFromShotsOfTheSolver) {
+  test::TemporaryFolder folder;
+  Store store(folder.path("percal.store"));
+  Campaign campaign(&store, 0);
+  CalibrationJob job = job_with_laws(8);
+  const std::vector<double> truth{250e3, 8, 0.8, 0.12, 0};
+  add_curves(job, truth, 3);
+  job.hypotheses[0].held = {{alpha, truth[alpha]}, {strain, truth[strain]}, {size_power, truth[size_power]}};
+  job.training = {.coarse = 3, .fine = 3, .verify = 3, .initial = 60, .batch = 30, .most = 240};
+  job.bootstrap = 0;
+  for (MeasuredShot& shot : job.shots) {
+    shot.speed += 25;
+    const Problem problem = shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, truth), 3);
+    std::vector<double> depths;
+    const auto runs = campaign.replicate({problem}, 20, nullptr);
+    for (const Evaluation& one : runs[0]) depths.push_back(one.result.depth);
+    shot.depth = mean(depths) * shot.radius;
+  }
+  const CalibrationResult result = calibrate(job, store, campaign, {}, [](const std::string&) {});
+  ASSERT_FALSE(result.hypotheses.empty()) << result.findings.at(0);
+  const auto& intervals = result.hypotheses[0].intervals;
+  ASSERT_EQ(intervals.size(), 2u);
+  for (const std::size_t k : {0u, 1u}) {
+    const double true_number = truth[k == 0 ? mu : rate_power];
+    RecordProperty(k == 0 ? "mu" : "power",
+                   std::to_string(intervals[k].interval.low) + " to " + std::to_string(intervals[k].interval.high));
+    EXPECT_LE(intervals[k].interval.low, true_number);
+    EXPECT_GE(intervals[k].interval.high, true_number);
+  }
+  EXPECT_LT(intervals[1].interval.high - intervals[1].interval.low, 0.1) << "and they say something";
+}
+
 TEST(SlowLaws, AreRecoveredByTheirIntervals) {
   const Emulator emulator = test::emulator_of_the_smooth_law();
   const auto points = sobol_points(100, 4, 1);

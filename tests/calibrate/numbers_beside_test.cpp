@@ -283,10 +283,10 @@ INSTANTIATE_TEST_SUITE_P(Slow, FilmedCoverage, testing::Values(RunNumber::half_s
 
 // --- by the solver --------------------------------------------------------------------------------------------------
 
-class SlowNumbers : public testing::TestWithParam<RunNumber> {};
+class NumbersOfTheSolver : public testing::TestWithParam<RunNumber> {};
 
 // Steel into a narrow layer on a coarse mesh, means of the solver's runs over its phase: the modulus comes back.
-TEST_P(SlowNumbers, ComeBackFromShotsOfTheSolver) {
+TEST_P(NumbersOfTheSolver, ComeBackFromShotsOfTheSolver) {
   test::TemporaryFolder folder;
   Store store(folder.path("percal.store"));
   Campaign campaign(&store, 0);
@@ -319,7 +319,7 @@ TEST_P(SlowNumbers, ComeBackFromShotsOfTheSolver) {
   EXPECT_FALSE(calibrate_page(json).sections.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, SlowNumbers, testing::Values(RunNumber::half_speed_depth, RunNumber::channel_radius),
+INSTANTIATE_TEST_SUITE_P(Slow, NumbersOfTheSolver, testing::Values(RunNumber::half_speed_depth, RunNumber::channel_radius),
                          [](const auto& made) {
                            return made.param == RunNumber::channel_radius ? "Channels" : "HalfSpeed";
                          });

@@ -246,6 +246,7 @@ std::set<RunNumber> numbers_to_learn(const TomlTable& block) {
   std::vector<std::string> names;
   for (const RunNumber number : numbers_beside) names.emplace_back(kind_of(number).key);
   block.describe("learn", {"array of words", listed(names), ""});
+  block.knows("learn");
   std::set<RunNumber> numbers;
   if (!block.has("learn")) return numbers;
   for (const std::string& name : block.texts("learn")) {
