@@ -75,6 +75,13 @@ TEST_F(ReadCalibrationJob, ADensityMayBeAMass) {
   EXPECT_NEAR(job.shots[4].density, 7800 * 32.67e-6 / mass, 0.1);
   EXPECT_NEAR(job.shots[1].density, 7800 * 32.67e-6 / mass / std::pow(1.5, 3), 0.1) << "of a ball of 3 mm";
   EXPECT_EQ(read_job().shots[4].density, 7800);
+  // Or the mass over the area that faces the target.
+  const auto over_area = read_job({{"diameter = \"2 mm\"\nparticle_density = \"7800 kg/m3\"",
+                                    "diameter = \"2 mm\"\nparticle_sectional_density = \"10.4 kg/m2\""},
+                                   {"particle_density_column = \"density_kg_m3\"\ndiameter_column",
+                                    "particle_sectional_density = \"1.04 g/cm2\"\ndiameter_column"}});
+  EXPECT_NEAR(over_area.shots[4].density, 7800, 1e-9);
+  EXPECT_NEAR(over_area.shots[1].density, 5200, 1e-9) << "of a ball of 3 mm";
 }
 
 TEST_F(ReadCalibrationJob, ConditionsChooseWhichRowsAreCensoredFittedAndHaveAnError) {

@@ -9,33 +9,61 @@
 namespace percal {
 namespace {
 
-const Range a_length = positive("length"), a_density = positive("density"), a_mass = positive("mass");
+const Range a_length = positive("length");
+const std::vector<std::string> sizes{"radius", "diameter"};
 
-// The one of two keys that the table has; the first where it has neither. Both are known.
-std::string one_of(const TomlTable& table, const std::string& first, const std::string& second) {
-  for (const std::string& key : {first, second}) table.knows(key);
-  if (table.has(first) && table.has(second)) table.refuse(first, "this beside " + second, "one of the two");
-  return table.has(second) ? second : first;
+// What a sphere's mass may be given as.
+struct Heaviness {
+  std::string key;
+  Dimension dimension;
+  Range range;
+  double (*density)(double value, double radius);
+};
+const std::vector<Heaviness>& heavinesses() {
+  static const std::vector<Heaviness> all{
+      {"density", dimension::density, positive("density"), [](double density, double) { return density; }},
+      {"mass", dimension::mass, positive("mass"), sphere_density},
+      {"sectional_density", dimension::sectional_density, positive("mass over area"),
+       [](double mass_over_area, double radius) {
+         return sphere_density(mass_over_area * std::numbers::pi * radius * radius, radius);
+       }}};
+  return all;
 }
 
-// A quantity that another one may stand for, which the message names where neither is given.
-double quantity_or_other(const TomlTable& table, const std::string& key, const Dimension& of, Range accepted,
-                         const std::string& other) {
-  if (!table.has(key)) accepted.words += ", or " + other + " in its place";
+std::vector<std::string> heaviness_keys(const std::string& prefix) {
+  std::vector<std::string> keys;
+  for (const Heaviness& one : heavinesses()) keys.push_back(prefix + one.key);
+  return keys;
+}
+
+// Which of these keys the table has, itself or behind one of `forms`; the first where it has none. All are known.
+std::size_t one_of(const TomlTable& table, const std::vector<std::string>& keys,
+                   const std::vector<std::string>& forms = {""}) {
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    bool given = false;
+    for (const std::string& form : forms) {
+      table.knows(keys[k] + form);
+      given = given || table.has(keys[k] + form);
+    }
+    if (given && found) {
+      const std::string first = keys[*found];
+      table.refuse(table.has(first) ? first : first + forms.back(), "this beside " + keys[k], "one of the two");
+    }
+    if (given) found = k;
+  }
+  return found.value_or(0);
+}
+
+// A quantity that others may stand for, which the message names where none is given.
+double quantity_or_others(const TomlTable& table, const std::string& key, const Dimension& of, Range accepted,
+                          const std::string& others) {
+  if (!table.has(key)) accepted.words += ", or " + others + " in its place";
   return table.quantity(key, of, accepted);
 }
 
-// The same where either may be one value (`key`) or a column (`key`_column).
-std::string one_of_rows(const TomlTable& block, const std::string& first, const std::string& second) {
-  for (const std::string& key : {first, second, first + "_column", second + "_column"}) block.knows(key);
-  const auto given = [&](const std::string& key) { return block.has(key) || block.has(key + "_column"); };
-  if (given(first) && given(second))
-    block.refuse(block.has(first) ? first : first + "_column", "this beside a " + second, "one of the two");
-  return given(second) ? second : first;
-}
-
-double density_of(const TomlTable& table, const std::string& key, double mass, double radius) {
-  const double density = sphere_density(mass, radius);
+double density_of(const TomlTable& table, const std::string& key, const Heaviness& given, double value, double radius) {
+  const double density = given.density(value, radius);
   if (!std::isnormal(density))
     table.refuse(key, "a mass whose density is out of the range of numbers", "a mass that fits the size");
   return density;
@@ -44,9 +72,8 @@ double density_of(const TomlTable& table, const std::string& key, double mass, d
 }  // namespace
 
 double radius_from(const TomlTable& table) {
-  return one_of(table, "radius", "diameter") == "diameter"
-             ? table.quantity("diameter", dimension::length, a_length) / 2
-             : quantity_or_other(table, "radius", dimension::length, a_length, "a diameter");
+  return one_of(table, sizes) == 1 ? table.quantity("diameter", dimension::length, a_length) / 2
+                                   : quantity_or_others(table, "radius", dimension::length, a_length, "a diameter");
 }
 
 double sphere_density(double mass, double radius) {
@@ -55,24 +82,27 @@ double sphere_density(double mass, double radius) {
 
 Sphere sphere_from(const TomlTable& table, const std::string& prefix) {
   const double radius = radius_from(table);
-  const std::string density = prefix + "density", mass = prefix + "mass";
-  if (one_of(table, density, mass) == density)
-    return {radius, quantity_or_other(table, density, dimension::density, a_density, "a " + mass)};
-  return {radius, density_of(table, mass, table.quantity(mass, dimension::mass, a_mass), radius)};
+  const auto keys = heaviness_keys(prefix);
+  const std::size_t k = one_of(table, keys);
+  const Heaviness& given = heavinesses()[k];
+  const double value =
+      quantity_or_others(table, keys[k], given.dimension, given.range, "a " + keys[1] + " or a " + keys[2]);
+  return {radius, density_of(table, keys[k], given, value, radius)};
 }
 
 std::vector<Sphere> spheres_of_rows(const TomlTable& block, const CsvTable& table) {
-  const bool by_diameter = one_of_rows(block, "radius", "diameter") == "diameter";
-  const auto sizes =
-      values_of_rows(block, by_diameter ? "diameter" : "radius", table, dimension::length, a_length);
-  const bool by_mass = one_of_rows(block, "particle_density", "particle_mass") == "particle_mass";
-  const auto amounts = by_mass ? values_of_rows(block, "particle_mass", table, dimension::mass, a_mass)
-                               : values_of_rows(block, "particle_density", table, dimension::density, a_density);
+  const std::vector<std::string> forms{"", "_column"};
+  const bool by_diameter = one_of(block, sizes, forms) == 1;
+  const auto lengths = values_of_rows(block, by_diameter ? "diameter" : "radius", table, dimension::length, a_length);
+  const auto keys = heaviness_keys("particle_");
+  const std::size_t k = one_of(block, keys, forms);
+  const Heaviness& given = heavinesses()[k];
+  const auto values = values_of_rows(block, keys[k], table, given.dimension, given.range);
+  const std::string key = block.has(keys[k]) ? keys[k] : keys[k] + "_column";
   std::vector<Sphere> spheres;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const double radius = by_diameter ? sizes[i] / 2 : sizes[i];
-    const std::string key = block.has("particle_mass") ? "particle_mass" : "particle_mass_column";
-    spheres.push_back({radius, by_mass ? density_of(block, key, amounts[i], radius) : amounts[i]});
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double radius = by_diameter ? lengths[i] / 2 : lengths[i];
+    spheres.push_back({radius, density_of(block, key, given, values[i], radius)});
   }
   return spheres;
 }
