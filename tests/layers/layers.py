@@ -28,7 +28,7 @@ MAY_SEE = {
     "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
     "cluster": ["base", "text", "problem", "impact", "observe", "store", "campaign"],
     "sweep": ["base", "math", "units", "text", "scaling", "scene", "problem", "impact", "observe", "store", "campaign", "plot", "page"],
-    "atlas": ["base", "math", "units", "text", "problem", "store", "invert", "campaign"],
+    "atlas": ["base", "math", "units", "text", "scene", "problem", "store", "invert", "campaign"],
     "predict": ["base", "math", "units", "text", "scene", "problem", "observe", "invert", "campaign", "plot", "page"],
     "powder": ["base", "math", "units", "text", "scene", "invert", "predict", "plot", "page"],
     "one_depth": ["base", "math", "units", "text", "scene", "problem", "impact", "observe", "invert", "campaign", "predict", "plot", "page"],
