@@ -31,7 +31,7 @@ MAY_SEE = {
     "atlas": ["base", "math", "units", "text", "scene", "problem", "store", "invert", "campaign"],
     "predict": ["base", "math", "units", "text", "scene", "problem", "observe", "invert", "campaign", "plot", "page"],
     "powder": ["base", "math", "units", "text", "scene", "invert", "predict", "plot", "page"],
-    "one_depth": ["base", "math", "units", "text", "scene", "problem", "impact", "observe", "invert", "campaign", "predict", "plot", "page"],
+    "one_depth": ["base", "math", "units", "text", "scene", "problem", "impact", "observe", "invert", "campaign", "predict", "atlas", "plot", "page"],
     "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "predict", "atlas", "plot", "page"],
 }
 

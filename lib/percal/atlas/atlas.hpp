@@ -38,4 +38,7 @@ std::function<double(const TrainingRun&)> feature_distance(const SphereInputs& a
 // of a second or two, and afterwards microseconds for each answer near by.
 Emulator emulator_near(const Atlas& atlas, const SphereInputs& at);
 
+// The same with the hyperparameters of the whole atlas in place of the region's own, in milliseconds: for a first look.
+Emulator roughly_near(const Atlas& atlas, const SphereInputs& at);
+
 }  // namespace percal

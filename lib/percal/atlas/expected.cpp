@@ -12,11 +12,12 @@ namespace percal {
 namespace {
 
 constexpr double rounding = 1e-9;
-constexpr int most_places = 4;           // emulators of a search for a root
-constexpr double near_a_place = 0.4;     // of ln value: that far the emulator of a place is asked
+constexpr int most_places = 6;           // of a search for a root
+constexpr double near_a_place = 0.2;     // of ln value: its runs are those of a root as near as that
 constexpr double farthest_step = 1.5;    // from one place to the next
 constexpr double root_tolerance = 1e-4;  // of ln value
 constexpr double least_slope = 0.05;
+constexpr double aside = 0.1;  // of ln value, for the slope
 
 ExpectedDepth said_by(const Emulator& emulator, const Problem& problem) {
   const double h = element_size(problem);
@@ -52,32 +53,44 @@ std::optional<ExpectedDepth> expected_depth(const Problem& problem) {
 
 std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log_value)>& problem, double log_depth,
                                           double from, double farthest) {
-  double place = from;
-  for (int k = 0; k < most_places; ++k) {
-    const Problem here = problem(place);
-    const Atlas* atlas = atlas_about(here);
-    if (!atlas || !has_elements_of(*atlas, here)) return std::nullopt;
-    const Emulator near = emulator_near(*atlas, inputs_of(here));
-    const auto misfit = [&](double log_value) {
-      const Problem at = problem(log_value);
-      return near.depth({inputs_of(at)}, element_size(at), false).log_depth[0] - log_depth;
+  const Atlas* atlas = atlas_about(problem(from));
+  if (!atlas || !has_elements_of(*atlas, problem(from))) return std::nullopt;
+  const auto at = [&](double log_value) { return inputs_of(problem(log_value)); };
+  const auto misfit_by = [&](const Emulator& emulator) {
+    return [&, h = element_size(problem(from))](double log_value) {
+      return emulator.depth({at(log_value)}, h, false).log_depth[0] - log_depth;
     };
+  };
+  // Where its depth is that within farthest_step of a place; else as far as that goes.
+  const auto next_place = [&](const Emulator& emulator, double place) {
+    const auto misfit = misfit_by(emulator);
     const double low = std::max(place - farthest_step, from - farthest),
                  high = std::min(place + farthest_step, from + farthest);
-    const double at_low = misfit(low), at_high = misfit(high);
-    const double next = at_low < 0 ? low : at_high > 0 ? high : root(misfit, low, high, root_tolerance);
-    if (at_low < 0 || at_high > 0 || std::abs(next - place) > near_a_place) {
-      if (next == place) return std::nullopt;
-      place = next;
-      continue;
-    }
-    constexpr double aside = 0.1;
-    const ExpectedRoot found{.log_value = next,
-                             .slope = (misfit(next + aside) - misfit(next - aside)) / (2 * aside),
-                             .at = said_by(near, problem(next))};
-    return found.slope < -least_slope && is_sure(found.at) ? std::optional(found) : std::nullopt;
+    if (misfit(low) < 0) return low;
+    if (misfit(high) > 0) return high;
+    return root(misfit, low, high, root_tolerance);
+  };
+  double place = from;
+  for (int k = 0; k < most_places; ++k) {
+    const double next = next_place(roughly_near(*atlas, at(place)), place);
+    const bool arrived = std::abs(next - place) < near_a_place;
+    place = next;
+    if (arrived) break;
   }
-  return std::nullopt;
+  const Emulator near = emulator_near(*atlas, at(place));
+  place = next_place(near, place);
+  const auto misfit = misfit_by(near);
+  const ExpectedRoot found{.log_value = place,
+                           .slope = (misfit(place + aside) - misfit(place - aside)) / (2 * aside),
+                           .at = said_by(near, problem(place))};
+  const bool is_root = std::abs(misfit(place)) < found.at.noise && found.slope < -least_slope;
+  return is_root && is_sure(found.at) && atlas_about(problem(place)) == atlas ? std::optional(found) : std::nullopt;
+}
+
+void begin_at(const ExpectedRoot& root, InversionOptions& options) {
+  options.start = root.log_value;
+  options.expected_slope = -root.slope;
+  options.noise = root.at.noise;
 }
 
 }  // namespace percal

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "percal/atlas/atlas.hpp"
+#include "percal/invert/modulus.hpp"
 #include "percal/problem/problem.hpp"
 
 namespace percal {
@@ -33,5 +34,8 @@ struct ExpectedRoot {
 // ln. Nothing where the atlas is not sure there.
 std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log_value)>& problem, double log_depth,
                                           double from, double farthest);
+
+// A search (invert/modulus.hpp) that begins there, takes the slope for its steps and counts on the noise of one run an answer.
+void begin_at(const ExpectedRoot& root, InversionOptions& options);
 
 }  // namespace percal
