@@ -25,7 +25,7 @@ MAY_SEE = {
     "invert": ["base", "math"],
     "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "solid", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
-    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
+    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "atlas", "plot", "page"],
     "cluster": ["base", "text", "problem", "impact", "observe", "store", "campaign"],
     "sweep": ["base", "math", "units", "text", "scaling", "scene", "problem", "impact", "observe", "store", "campaign", "plot", "page"],
     "atlas": ["base", "math", "units", "text", "scene", "problem", "store", "invert", "campaign"],

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "percal/campaign/sphere_runs.hpp"
+#include "percal/math/distributions.hpp"
 #include "percal/math/root.hpp"
 #include "percal/problem/domain.hpp"
 #include "percal/scene/width.hpp"
@@ -33,15 +34,24 @@ bool has_elements_of(const Atlas& atlas, const Problem& problem) {
 
 bool is_sure(const ExpectedDepth& expected) { return expected.deviation < expected.noise; }
 
-}  // namespace
+// A line's own 95 % half width that is so small beside the others' widens the interval by 8 %.
+constexpr double upper = 0.975, little = 0.4;
+constexpr int fewest_answers = 5;
 
-const Atlas* atlas_about(const Problem& problem) {
+// Wherever the wall is.
+const Atlas* atlas_of_setting(const Problem& problem) {
   if (!is_for_an_emulator(problem) || !problem.below.empty()) return nullptr;
-  if (problem.width < usual_width(problem.pi4, problem.density_ratio) * (1 - rounding)) return nullptr;
   Problem far = problem;
   far.width = farthest_wall;
   if (problem.graded_columns == usual_graded_columns(problem)) far.graded_columns = usual_graded_columns(far);
   return own_atlas(setting_of(far));
+}
+
+}  // namespace
+
+const Atlas* atlas_about(const Problem& problem) {
+  const bool wall_is_felt = problem.width < usual_width(problem.pi4, problem.density_ratio) * (1 - rounding);
+  return wall_is_felt ? nullptr : atlas_of_setting(problem);
 }
 
 std::optional<ExpectedDepth> expected_depth(const Problem& problem) {
@@ -53,7 +63,7 @@ std::optional<ExpectedDepth> expected_depth(const Problem& problem) {
 
 std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log_value)>& problem, double log_depth,
                                           double from, double farthest) {
-  const Atlas* atlas = atlas_about(problem(from));
+  const Atlas* atlas = atlas_of_setting(problem(from));  // at the root the wall is to be far enough
   if (!atlas || !has_elements_of(*atlas, problem(from))) return std::nullopt;
   const auto at = [&](double log_value) { return inputs_of(problem(log_value)); };
   const auto misfit_by = [&](const Emulator& emulator) {
@@ -87,10 +97,15 @@ std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log
   return is_root && is_sure(found.at) && atlas_about(problem(place)) == atlas ? std::optional(found) : std::nullopt;
 }
 
-void begin_at(const ExpectedRoot& root, InversionOptions& options) {
+void begin_at(const ExpectedRoot& root, double others, InversionOptions& options) {
   options.start = root.log_value;
   options.expected_slope = -root.slope;
   options.noise = root.at.noise;
+  int enough = std::min(fewest_answers, options.fewest_in_line);
+  while (enough < options.fewest_in_line && student_quantile(upper, enough - 2) * root.at.noise / std::sqrt(enough) >
+                                                little * normal_quantile(upper) * others)
+    ++enough;
+  options.fewest_in_line = enough;
 }
 
 }  // namespace percal

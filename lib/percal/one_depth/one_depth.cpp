@@ -25,19 +25,6 @@ LayerMaterial with(LayerMaterial material, LayerNumber number, double value) {
   return material;
 }
 
-// One run an answer, each of the next phase of the mesh, so that a line through them is none of one phase.
-DepthOfModulus depth_by_runs(Campaign& campaign, const InvertRequest& request, const LayerMaterial& material,
-                             double& worst_closure) {
-  return [&, answer = 0](double log_value) mutable {
-    const Reduction reduction = reduce(scene_of(request, with(material, request.sought, std::exp(log_value))));
-    const auto phases = replicates_of(reduction.problem, usual_replicates);
-    const Penetration found =
-        summarise({campaign.evaluate(phases[answer++ % usual_replicates])}, reduction.problem, reduction.scales);
-    worst_closure = std::max(worst_closure, found.worst_closure);
-    return answer_of(found);
-  };
-}
-
 // The materials in which the searches of the ridge begin.
 std::vector<LayerMaterial> beginnings(const InvertRequest& request) {
   std::vector<LayerMaterial> materials;
@@ -112,10 +99,8 @@ void begin_by_atlas(const InvertRequest& request, const LayerMaterial& begin, In
       expected_root([&](double log_value) { return reduce(scene_of(request, material(log_value))).problem; },
                     std::log(request.depth / request.shot.radius), options.start, options.most_step);
   if (!root) return;
-  begin_at(*root, options);
   const PairOfDepth expected{.material = material(root->log_value), .search = {.slope = root->slope}};
-  const double others = of_depth(other_shares(expected, {.request = request, .ridge = {}}, 0));
-  options.fewest_in_line = enough_answers(root->at.noise, others, options.fewest_in_line);
+  begin_at(*root, of_depth(other_shares(expected, {.request = request, .ridge = {}}, 0)), options);
 }
 
 std::optional<double> exponent_of(const std::vector<PairOfDepth>& ridge) {
@@ -147,7 +132,10 @@ OneDepth find_at_depth(const InvertRequest& request, Campaign& campaign) {
       options.most_step = farthest_strain;
     }
     begin_by_atlas(request, begin[at], options);
-    return invert_modulus(depth_by_runs(campaign, request, begin[at], closures[at]), options);
+    const auto reduction = [&](double log_value) {
+      return reduce(scene_of(request, with(begin[at], request.sought, std::exp(log_value))));
+    };
+    return invert_modulus(one_run_an_answer(campaign, reduction, closures[at]), options);
   });
   OneDepth found{.request = request, .ridge = std::vector<PairOfDepth>(count)};
   for (int k = 0; k < count; ++k) {

@@ -8,11 +8,6 @@
 #include "percal/math/distributions.hpp"
 
 namespace percal {
-namespace {
-
-constexpr int fewest_answers = 4;  // two degrees of freedom
-
-}  // namespace
 
 ValueErrorPart solver_share(const Inversion& found) {
   return {"solver's scatter", found.log_modulus_error * std::abs(found.slope), found.log_modulus_error,
@@ -53,15 +48,6 @@ double of_depth(const std::vector<ValueErrorPart>& shares) {
   double squares = 0;
   for (const ValueErrorPart& share : shares) squares += share.of_depth.value_or(0) * share.of_depth.value_or(0);
   return std::sqrt(squares);
-}
-
-int enough_answers(double noise, double others, int most) {
-  constexpr double upper = 0.975, little = 0.5;  // of the other errors: 12 % of the interval
-  int answers = std::min(most, fewest_answers);
-  while (answers < most &&
-         student_quantile(upper, answers - 2) * noise / std::sqrt(answers) > little * normal_quantile(upper) * others)
-    ++answers;
-  return answers;
 }
 
 }  // namespace percal

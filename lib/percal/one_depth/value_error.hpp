@@ -34,8 +34,4 @@ double half_width(const Inversion& found, const std::vector<ValueErrorPart>& oth
 // The root of the sum of their squares, of ln depth.
 double of_depth(const std::vector<ValueErrorPart>& shares);
 
-// The fewest answers, of `most` or fewer, with which a line whose answers scatter by `noise` widens the 95 % interval of a depth of the other errors
-// `others` by little.
-int enough_answers(double noise, double others, int most);
-
 }  // namespace percal
