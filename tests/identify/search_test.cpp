@@ -52,8 +52,8 @@ TEST(AlphaScan, WhereTheAtlasKnowsTheScatterOneRunACandidateIsEnough) {
     const AlphaScan scan{.candidates = {6, 6.5, 7, 7.5, 8, 8.5, 9, 9.5, 10, 10.5},
                          .target_name = "",
                          .file = "",
-                         .target = {{.mu = 4e6, .erosion_strain = 0.7, .mu_model = {}}},
-                         .elements_per_radius = 6,
+                         .target = {{.mu = 15e6, .erosion_strain = 0.7, .mu_model = {}}},
+                         .elements_per_radius = 8,
                          .replicates = 3};
     Campaign campaign(nullptr, 2);
     const auto trials = run_alpha_trials(campaign, glass_into_skin(width), scan);

@@ -37,6 +37,7 @@ bool is_sure(const ExpectedDepth& expected) { return expected.deviation < expect
 // A line's own 95 % half width that is so small beside the others' widens the interval by 8 %.
 constexpr double upper = 0.975, little = 0.4;
 constexpr int fewest_answers = 5;
+constexpr double share_of_slope = 0.15;  // by which it may be off
 
 // Wherever the wall is.
 const Atlas* atlas_of_setting(const Problem& problem) {
@@ -100,6 +101,7 @@ std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log
 void begin_at(const ExpectedRoot& root, double others, InversionOptions& options) {
   options.start = root.log_value;
   options.expected_slope = -root.slope;
+  options.slope_error = share_of_slope * options.expected_slope;
   options.noise = root.at.noise;
   int enough = std::min(fewest_answers, options.fewest_in_line);
   while (enough < options.fewest_in_line && student_quantile(upper, enough - 2) * root.at.noise / std::sqrt(enough) >

@@ -35,7 +35,7 @@ struct ExpectedRoot {
 std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log_value)>& problem, double log_depth,
                                           double from, double farthest);
 
-// A search (invert/modulus.hpp) that begins there, takes the slope for its steps and counts on the noise of one run an answer. Its line has no more
+// A search (invert/modulus.hpp) that begins there, takes the slope for its steps and as a part of its line, and counts on the noise of one run an answer. Its line has no more
 // answers than make its error small beside `others`, a standard deviation of ln depth, and no more than it had.
 void begin_at(const ExpectedRoot& root, double others, InversionOptions& options);
 
