@@ -21,7 +21,7 @@ def calibration_row(name, found):
 # Before and after, of two builds: measured once, not by this program.
 MEASURED_ONCE = """## Without a ladder, and with fewer runs
 
-Measured once, on two shared cores of an AMD EPYC (Zen 5, AVX-512); processor time. Scene S of five_scenes.py, 10 elements per radius, at `--accuracy 2%`: 38.4 s with a ladder (37.5 s of it), 0.9 s by the atlas, 0.65 s of it the three runs that 3.0 % of scatter ask for (the ladder says 3.6 %, and four). The chain of data/guha2009/skin.toml: 330 s and 765 runs without, 243 s and 459 runs with the atlas, which leaves the 204 s of the predictions on 14 elements per radius as they are; alpha 8.55 and 8.55, erosion strain of skin 0.695 +- 0.014 and 0.694 +- 0.019. `percal invert`, five searches each, before and with the atlas:
+Measured once, on two shared cores of an AMD EPYC (Zen 5, AVX-512); processor time. Scene S of five_scenes.py, 10 elements per radius, at `--accuracy 2%`: 38.4 s with a ladder (37.5 s of it), 0.9 s by the atlas, 0.65 s of it the three runs that 3.0 % of scatter ask for (the ladder says 3.6 %, and four). The chain of data/guha2009/skin.toml: 330 s and 765 runs without, 246 s and 468 runs with the atlas, which leaves the 204 s of the predictions on 14 elements per radius as they are; alpha 8.55 and 8.55, erosion strain of skin 0.695 +- 0.014 and 0.695 +- 0.015. `percal invert`, five searches each, before and with the atlas:
 
 | depth | runs before | s | 95 % | runs | s | 95 % |
 | --- | --- | --- | --- | --- | --- | --- |
