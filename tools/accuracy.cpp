@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 
+#include "percal/atlas/expected.hpp"
 #include "percal/base/progress.hpp"
+#include "percal/math/distributions.hpp"
+#include "percal/scene/width.hpp"
 #include "percal/study/kept_ladder.hpp"
 #include "percal/text/one_value.hpp"
 
@@ -18,22 +22,47 @@ std::string why_not(const AdvisedSetting& advice) {
   return advice.is_found ? "" : fmt::format("An error of {:.3g} %: {}", 100 * advice.target, advice.why_not);
 }
 
-AdvisedAccuracy accuracy_of(const AdvisedSetting& advice, const LadderOptions& ladder) {
-  AdvisedAccuracy accuracy{.target_error = advice.target,
-                           .why_not = why_not(advice),
-                           .is_extrapolated = advice.cost_is_estimated,
-                           .cpu_seconds_low = advice.cpu_seconds_low,
-                           .cpu_seconds_high = advice.cpu_seconds_high,
-                           .studied_meshes = ladder.meshes,
-                           .studied_replicates = ladder.replicates,
-                           .time_step_factor = ladder.time_step_factor.value()};
+AdvisedAccuracy accuracy_of(const AdvisedSetting& advice) {
+  AdvisedAccuracy accuracy{.target_error = advice.target, .why_not = why_not(advice)};
   if (!advice.is_found) return accuracy;
   accuracy.elements_per_radius = advice.elements_per_radius;
   accuracy.replicates = advice.replicates;
   accuracy.discretisation_error = advice.discretisation_error;
   accuracy.noise_error = advice.noise_error;
   accuracy.error = advice.error;
-  accuracy.cpu_seconds = advice.cpu_seconds;
+  return accuracy;
+}
+
+AdvisedAccuracy by_study(const AdvisedSetting& advice, const LadderOptions& ladder) {
+  AdvisedAccuracy accuracy = accuracy_of(advice);
+  if (advice.is_found) accuracy.cpu_seconds = advice.cpu_seconds;
+  accuracy.cpu_seconds_low = advice.cpu_seconds_low;
+  accuracy.cpu_seconds_high = advice.cpu_seconds_high;
+  accuracy.is_extrapolated = advice.cost_is_estimated;
+  accuracy.studied_meshes = ladder.meshes;
+  accuracy.studied_replicates = ladder.replicates;
+  accuracy.time_step_factor = ladder.time_step_factor.value();
+  return accuracy;
+}
+
+// The scene's own mesh with as many runs as the scatter needs that the atlas knows of; nothing where it does not know, or expects the sphere to
+// come near the lower face.
+std::optional<AdvisedAccuracy> by_atlas(const Scene& scene, double target_error) {
+  const Scene rung =
+      rung_scene(scene, scene.mesh.elements_per_radius, scene.solver.time_step_factor, Arithmetic::single_precision);
+  const Problem problem = reduce(rung).problem;
+  const auto expected = expected_depth(problem);
+  if (!expected) return std::nullopt;
+  const double run = normal_quantile(0.975) * std::hypot(expected->deviation, expected->noise);
+  if (expected->log_depth + run > std::log(problem.whole_depth())) return std::nullopt;
+  const double depth = std::exp(expected->log_depth) * scene.particle.radius;
+  AdvisedAccuracy accuracy = accuracy_of(advise(problem.elements_per_radius, expected->noise, target_error));
+  accuracy.time_step_factor = problem.time_step_factor;
+  accuracy.atlas = AtlasDepth{.depth = depth,
+                              .deviation = expected->deviation,
+                              .low = depth * std::exp(-run),
+                              .high = depth * std::exp(run),
+                              .width = farthest_wall};
   return accuracy;
 }
 
@@ -51,6 +80,8 @@ double parse_accuracy(const std::string& text) {
 AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store& store, const Common& common) {
   const std::string key = study_key(scene);
   const auto kept = kept_ladder(store, key);
+  if (!kept)
+    if (auto accuracy = by_atlas(scene, target_error)) return *accuracy;
   const LadderOptions options = kept.value_or(usual_ladder(scene));
   if (common.talks() && !kept) {
     fmt::print("no study of this scene is kept: its error against time is measured first, by {} runs\n",
@@ -65,7 +96,7 @@ AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store&
   if (!kept) keep_ladder(store, key, ladder.options);
   const double cpu_seconds = campaign.cost().cpu_seconds;
   if (common.talks() && !kept) fmt::print("the study took {:.1f} s of processor time and is kept\n", cpu_seconds);
-  AdvisedAccuracy accuracy = accuracy_of(advise(ladder, error_vs_time(ladder), target_error), ladder.options);
+  AdvisedAccuracy accuracy = by_study(advise(ladder, error_vs_time(ladder), target_error), ladder.options);
   accuracy.study_was_kept = kept.has_value();
   accuracy.study_cpu_seconds = cpu_seconds;
   return accuracy;

@@ -1,4 +1,4 @@
-// percal impact --accuracy: the setting that the scene's study advises for an error.
+// percal impact --accuracy: the setting that the scene's study, or the atlas, advises for an error.
 #pragma once
 #include <string>
 
@@ -12,7 +12,8 @@ namespace percal::tools {
 // "2%" or "0.02" -> 0.02. Throws BadInput.
 double parse_accuracy(const std::string& text);
 
-// From the study that the store keeps of this scene; where there is none the default ladder is run, and kept.
+// From the study that the store keeps of this scene; where there is none from the atlas; where that does not know either the default ladder is
+// run, and kept.
 AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store& store, const Common& common);
 
 // The scene with the advised mesh, replicates, time step and arithmetic, where it is to be run.

@@ -1,4 +1,5 @@
 // The program: reads the command line, runs one command, turns the failures into exit codes. The commands are in files of their own.
+#include <malloc.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -77,6 +78,14 @@ void end_when_interrupted() {
   if (watch.empty()) pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
+// Matrices of a Gaussian process come and go a hundred times in a search: given back to the system each time, and asked for again, they cost
+// twice as much as the search.
+void keep_freed_memory() {
+  constexpr int largest_kept_block = 32 << 20, kept = 128 << 20;  // bytes
+  mallopt(M_MMAP_THRESHOLD, largest_kept_block);
+  mallopt(M_TRIM_THRESHOLD, kept);
+}
+
 // What is still in the buffer may be more than the disk holds.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
@@ -120,6 +129,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file over its size limit is a failure to write, told as one
+  percal::tools::keep_freed_memory();
   percal::tools::end_when_interrupted();
   return percal::tools::run(argc, argv);
 }

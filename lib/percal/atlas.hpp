@@ -6,3 +6,4 @@
 #pragma once
 #include "percal/atlas/atlas.hpp"
 #include "percal/atlas/check.hpp"
+#include "percal/atlas/expected.hpp"

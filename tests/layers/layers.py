@@ -25,13 +25,13 @@ MAY_SEE = {
     "invert": ["base", "math"],
     "campaign": ["base", "math", "units", "page", "scene", "problem", "impact", "solid", "observe", "store", "invert"],
     "study": ["base", "math", "units", "text", "plot", "mesh", "scene", "problem", "impact", "observe", "store", "campaign", "page"],
-    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "plot", "page"],
+    "identify": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "invert", "card", "campaign", "atlas", "plot", "page"],
     "cluster": ["base", "text", "problem", "impact", "observe", "store", "campaign"],
     "sweep": ["base", "math", "units", "text", "scaling", "scene", "problem", "impact", "observe", "store", "campaign", "plot", "page"],
-    "atlas": ["base", "math", "units", "text", "problem", "store", "invert", "campaign"],
+    "atlas": ["base", "math", "units", "text", "scene", "problem", "store", "invert", "campaign"],
     "predict": ["base", "math", "units", "text", "scene", "problem", "observe", "invert", "campaign", "plot", "page"],
     "powder": ["base", "math", "units", "text", "scene", "invert", "predict", "plot", "page"],
-    "one_depth": ["base", "math", "units", "text", "scene", "problem", "impact", "observe", "invert", "campaign", "predict", "plot", "page"],
+    "one_depth": ["base", "math", "units", "text", "scene", "problem", "impact", "observe", "invert", "campaign", "predict", "atlas", "plot", "page"],
     "calibrate": ["base", "math", "units", "text", "material", "scaling", "scene", "problem", "impact", "observe", "store", "estimate", "fit", "invert", "card", "campaign", "predict", "atlas", "plot", "page"],
 }
 

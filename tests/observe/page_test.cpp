@@ -119,8 +119,8 @@ TEST_F(ImpactJson, HasTheSameKeysWhateverWasFound) {
 }
 
 TEST_F(ImpactPage, TakesNoMissingKeyForANo) {
-  for (const char* key : {"convention", "bulk_was_chosen", "outcome", "accuracy", "history", "findings", "layers", "final",
-                          "channel", "sectional_density_kg_m2"}) {
+  for (const char* key : {"convention", "bulk_was_chosen", "outcome", "accuracy", "history", "findings", "layers",
+                          "final", "channel", "sectional_density_kg_m2"}) {
     Json cut = result();
     cut.erase(key);
     try {
@@ -282,6 +282,19 @@ TEST_F(ImpactPage, AdvisesToMeasureOnlyWhatGoesByRule) {
   EXPECT_THAT(words_of(*section_of(page(), "result")), Not(HasSubstr("--measure-errors")));
 }
 
+TEST_F(ImpactPage, SaysWhatTheAtlasExpectsAndWhereTheRunsAreElsewhere) {
+  found.accuracy = phase_alone;
+  found.accuracy->atlas = AtlasDepth{.depth = 27e-6, .deviation = 0.02, .low = 25e-6, .high = 29e-6, .width = 20};
+  EXPECT_THAT(words_of(page()),
+              AllOf(HasSubstr("mesh phase and noise alone, from the atlas"),
+                    HasSubstr("The atlas expects 27 um, of 100 single runs 95 between 25 um and 29 um (its wall at "
+                              "20 radii)"),
+                    Not(HasSubstr("than these runs"))));
+  found.accuracy->atlas->depth = 33e-6;
+  EXPECT_THAT(words_of(page()),
+              HasSubstr("The atlas expects 33 um, 20 % more than these runs, where the errors of both"));
+}
+
 TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {
   found.runs.clear();
   found.accuracy = AdvisedAccuracy{.target_error = 0.001, .why_not = "An error of 0.1 %: no mesh reaches it"};
@@ -294,7 +307,8 @@ TEST_F(ImpactPage, AnAccuracyOutOfReachHasNoDepthAndSaysWhy) {
 // Both runs went on: they rest, or have left.
 void go_on(std::vector<Evaluation>& runs, Ending ending, double depth, double speed) {
   for (Evaluation& run : runs)
-    run.result.aftermath = {.ending = ending, .depth = depth, .half_width = 0.25, .speed = speed, .energy = {.elastic = 1}};
+    run.result.aftermath = {
+        .ending = ending, .depth = depth, .half_width = 0.25, .speed = speed, .energy = {.elastic = 1}};
 }
 
 TEST_F(ImpactPage, SaysWhereTheParticleComesToRest) {
@@ -315,7 +329,8 @@ TEST_F(ImpactPage, SaysHowFastTheParticleIsThrownBack) {
 }
 
 TEST_F(ImpactPage, HasTheShotsNumbersAndTheSpeedsBehindLayers) {
-  read(gold_into_skin + "[[below]]\nname = \"fat\"\ndensity = \"900 kg/m3\"\nmu = \"9 MPa\"\nalpha = 8\ndepth = \"5 um\"\n");
+  read(gold_into_skin +
+       "[[below]]\nname = \"fat\"\ndensity = \"900 kg/m3\"\nmu = \"9 MPa\"\nalpha = 8\ndepth = \"5 um\"\n");
   for (Evaluation& run : found.runs) {
     run.result.outcome = Outcome::passed_through;
     run.result.speeds_behind = {0.6, 0.4};

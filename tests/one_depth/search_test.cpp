@@ -83,6 +83,30 @@ TEST_F(OneDepthSearch, TheModulusGoesWithTheSquareOfTheSpeed) {
   EXPECT_NEAR(*faster.own().errors[1].of_value, 0.02, 1e-12);
 }
 
+// The same shot with its wall just below the 5 radii that the slowest shots ask for: there is no atlas, and the depth is another by 2 % at most.
+TEST_F(OneDepthSearch, BegunByTheAtlasItNeedsFewerRunsForTheSameNumber) {
+  const auto found_with = [&](const std::string& width, CampaignCost& cost) {
+    InvertWords words = test::small_shot();
+    words.depth_error = "5 %";
+    words.elements_per_radius = "6";
+    words.layer_width = width;
+    Campaign campaign(nullptr, 2);
+    OneDepth found = find_at_depth(understood(words), campaign);
+    cost = campaign.cost();
+    return found;
+  };
+  CampaignCost begun, alone;
+  const OneDepth by_atlas = found_with("27 mm", begun), without = found_with("11.249 mm", alone);
+  ASSERT_TRUE(by_atlas.own().found() && without.own().found());
+  EXPECT_LT(begun.runs, 0.8 * static_cast<double>(alone.runs));
+  const Inversion &one = by_atlas.own().search, &other = without.own().search;
+  EXPECT_LT(std::abs(one.log_modulus - other.log_modulus),
+            3 * std::hypot(one.log_modulus_error, other.log_modulus_error, 0.02 / std::abs(one.slope)));
+  EXPECT_GE(other.points_in_line, 10) << "as ever";
+  EXPECT_LT(by_atlas.own().interval->low, number_of(without.own().material, LayerNumber::mu));
+  EXPECT_GT(by_atlas.own().interval->high, number_of(without.own().material, LayerNumber::mu));
+}
+
 TEST_F(OneDepthSearch, ItsAnswersComeFromAllPhasesOfTheMesh) {
   const test::TemporaryFolder folder;
   Store store(folder.path("store"));

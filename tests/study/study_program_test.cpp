@@ -150,6 +150,50 @@ TEST_F(Study, OfALocalRuleLeavesTheMeshAndPicksTheRuns) {
   EXPECT_LE(accuracy["noise_error"], 0.2);
 }
 
+// A ball into gel on a mesh of the atlas, a run of some hundredths of a second.
+std::string ball_into_gel(const std::string& further = "") {
+  return "[particle]\nradius = \"1 mm\"\ndensity = \"2500 kg/m3\"\nspeed = \"100 m/s\"\n[target]\ndensity = \"1000 "
+         "kg/m3\"\nmu = "
+         "\"800 kPa\"\nalpha = 8\ndepth = \"40 mm\"\n" +
+         further + "[target.erosion]\nstrain = 0.6\n[mesh]\nelements_per_radius = 6\n";
+}
+
+TEST_F(Study, WhereTheAtlasKnowsTheScatterAnAccuracyNeedsNoLadder) {
+  const std::string file = write("ball.toml", ball_into_gel());
+  const Ended ended = run({"impact", file, "--accuracy", "2%", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+  const json found = json::parse(ended.out), accuracy = found["accuracy"], atlas = accuracy["atlas"];
+  EXPECT_EQ(accuracy["from"], "the atlas");
+  EXPECT_TRUE(accuracy["ladder"].is_null());
+  EXPECT_EQ(accuracy["study_cpu_s"], 0.0);
+  EXPECT_EQ(accuracy["elements_per_radius"], 6);
+  EXPECT_LE(accuracy["error"], 0.02);
+  EXPECT_EQ(found["cost"]["runs"], accuracy["replicates"]) << "these, and no others";
+  EXPECT_EQ(found["runs"].size(), accuracy["replicates"].get<std::size_t>());
+  EXPECT_LT(atlas["low_m"], atlas["depth_m"]);
+  EXPECT_LT(atlas["depth_m"], atlas["high_m"]);
+  EXPECT_NEAR(found["depth_m"].get<double>() / atlas["depth_m"].get<double>(), 1, 0.1);
+  EXPECT_THAT(run({"impact", file, "--accuracy", "2%"}).out,
+              AllOf(HasSubstr("from the atlas"), HasSubstr("The atlas expects"), HasSubstr("its wall at 20 radii")));
+  EXPECT_EQ(run({"impact", file, "--accuracy", "0.1%"}).code, 3) << "more replicates than are advised";
+}
+
+TEST_F(Study, ANearerWallHasNoAtlas) {
+  const std::string file = write("ball.toml", ball_into_gel("width = \"4 mm\"\n"));
+  ASSERT_EQ(study({file}).code, 0);
+  const json accuracy = json::parse(run({"impact", file, "--accuracy", "20%", "--json"}).out)["accuracy"];
+  EXPECT_EQ(accuracy["from"], "the study");
+  EXPECT_TRUE(accuracy["atlas"].is_null());
+}
+
+TEST_F(Study, AKeptStudyComesBeforeTheAtlas) {
+  const std::string file = write("ball.toml", ball_into_gel());
+  ASSERT_EQ(study({file}).code, 0);
+  const json accuracy = json::parse(run({"impact", file, "--accuracy", "20%", "--json"}).out)["accuracy"];
+  EXPECT_EQ(accuracy["from"], "the study");
+  EXPECT_EQ(accuracy["study_was_kept"], true);
+}
+
 TEST_F(Study, AnAccuracyOutOfReachIsSaidAndNotRun) {
   const std::string file = scene();
   ASSERT_EQ(study({file}).code, 0);

@@ -49,7 +49,11 @@ const std::vector<Column>& columns() {
 
 constexpr char setting_mark[] = "# setting: ";
 
-constexpr int runs_near = 300;
+constexpr int runs_near = 300, runs_for_a_look = 150;
+// A search that begins on a third of them and ends after a few steps on all: as near to fresh runs as one that goes on to the end, its noise
+// within some 13 % of that one's.                                                                docs/verification/atlas.md
+constexpr EmulatorOptions search_near{
+    .most_points_for_search = runs_near, .most_points_for_starts = 100, .most_evaluations = 130};
 // How far features may differ for runs to tell of each other about as much as of a run twice as far in another one: the lengths that the
 // search finds over the whole atlas, by three.                                                    docs/theory/atlas.md (1)
 constexpr std::array feature_lengths{2.0, 1.5, 8.0, 0.6, 2.0, 3.0, 0.7};
@@ -139,8 +143,16 @@ std::function<double(const TrainingRun&)> feature_distance(const SphereInputs& a
 }
 
 Emulator emulator_near(const Atlas& atlas, const SphereInputs& at) {
-  return Emulator(nearest_runs(atlas.runs, runs_near, feature_distance(at)),
-                  EmulatorOptions{.most_points_for_search = runs_near});
+  return Emulator(nearest_runs(atlas.runs, runs_near, feature_distance(at)), search_near);
+}
+
+Emulator roughly_near(const Atlas& atlas, const SphereInputs& at) {
+  constexpr double of_distance = 3;  // lengths of the search over those of feature_distance()
+  EmulatorSettings settings{
+      .amplitude = 1.1, .mesh_amplitude = 0.08, .mesh_order = 1, .noise = 0.027, .noise_order = 0.5};
+  for (std::size_t j = 0; j < feature_lengths.size(); ++j)
+    settings.length[j] = settings.mesh_length[j] = of_distance * feature_lengths[j];
+  return Emulator(nearest_runs(atlas.runs, runs_for_a_look, feature_distance(at)), settings);
 }
 
 }  // namespace percal

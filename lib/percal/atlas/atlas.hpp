@@ -34,8 +34,11 @@ std::vector<TrainingRun> nearest_runs(const std::vector<TrainingRun>& runs, std:
 // How far a run is from a sphere for what it tells of it: squares over the lengths that depths vary over.
 std::function<double(const TrainingRun&)> feature_distance(const SphereInputs& at);
 
-// The runs about a sphere, and what they say of its reach on elements of size h: an emulator of its own for each place, which costs some
-// tenths of a second, and afterwards microseconds for each answer near by.
+// The runs about a sphere, and what they say of its reach on elements of size h: an emulator of its own for each place, which costs a tenth
+// of a second or two, and afterwards microseconds for each answer near by.
 Emulator emulator_near(const Atlas& atlas, const SphereInputs& at);
+
+// The same with the hyperparameters of the whole atlas in place of the region's own, in milliseconds: for a first look.
+Emulator roughly_near(const Atlas& atlas, const SphereInputs& at);
 
 }  // namespace percal

@@ -3,22 +3,44 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/atlas/expected.hpp"
 #include "percal/campaign/depth_search.hpp"
 #include "percal/problem/replicates.hpp"
 
 namespace percal {
 namespace {
 
-DepthOfModulus forward_model(Campaign& campaign, const IdentifyJob& job, double alpha, double strain) {
+Reduction calibration_shot(const IdentifyJob& job, double alpha, double strain, double log_modulus) {
+  const TargetMaterial target{job.tissue.density, std::exp(log_modulus), alpha, strain};
+  return reduce(impact_scene(job, job.calibration, target, job.volumetric, job.ridge.elements_per_radius));
+}
+
+// Means over the phase, as the job has them.
+DepthOfModulus means_of_runs(Campaign& campaign, const IdentifyJob& job, double alpha, double strain) {
   return [&campaign, &job, alpha, strain](double log_modulus) {
-    const TargetMaterial target{job.tissue.density, std::exp(log_modulus), alpha, strain};
-    const Scene scene = impact_scene(job, job.calibration, target, job.volumetric, job.ridge.elements_per_radius);
-    const Reduction reduction = reduce(scene);
+    const Reduction reduction = calibration_shot(job, alpha, strain, log_modulus);
     std::vector<Evaluation> runs;  // the searches run side by side: the replicates of one do not
     for (const Problem& one : replicates_of(reduction.problem, job.ridge.replicates))
       runs.push_back(campaign.evaluate(one));
     return answer_of(summarise(runs, reduction.problem, reduction.scales));
   };
+}
+
+// Where the atlas expects the end, single runs about it are enough: as many as two of the means have, or fewer beside a measured depth's error.
+Inversion search_at(Campaign& campaign, const IdentifyJob& job, double alpha, double strain) {
+  InversionOptions options{.target = job.penetration, .start = std::log(job.ridge.start)};
+  const auto shot = [&job, alpha, strain](double log_modulus) {
+    return calibration_shot(job, alpha, strain, log_modulus);
+  };
+  if (job.ridge.replicates > usual_replicates)
+    return invert_modulus(means_of_runs(campaign, job, alpha, strain), options);
+  const auto root = expected_root([&](double log_modulus) { return shot(log_modulus).problem; },
+                                  std::log(job.penetration / job.calibration.radius), options.start, options.most_step);
+  if (!root) return invert_modulus(means_of_runs(campaign, job, alpha, strain), options);
+  options.fewest_in_line = std::max(options.fewest_in_line, 2 * job.ridge.replicates);
+  begin_at(*root, job.penetration_error.value_or(0) / job.penetration, options);
+  double worst_closure = 0;
+  return invert_modulus(one_run_an_answer(campaign, shot, worst_closure), options);
 }
 
 // The pairs of a scan's target, if alpha comes from one.
@@ -56,8 +78,7 @@ std::vector<RidgePoint> find_ridge(Campaign& campaign, const IdentifyJob& job, d
   }
   // The searches start where the job says, not at the target's moduli: those are what they are compared with.
   const auto found = search_side_by_side(campaign, static_cast<int>(ridge.size()), "ridge", [&](int k) {
-    return invert_modulus(forward_model(campaign, job, alpha, ridge[k].erosion_strain),
-                          {.target = job.penetration, .start = std::log(job.ridge.start)});
+    return search_at(campaign, job, alpha, ridge[k].erosion_strain);
   });
   for (std::size_t k = 0; k < ridge.size(); ++k) {
     RidgePoint& point = ridge[k];

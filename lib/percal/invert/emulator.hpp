@@ -101,6 +101,7 @@ struct EmulatorSettings {
 
 struct EmulatorOptions {
   int most_points_for_search = 500;  // hyperparameters are found on a subset of at most this many
+  int most_points_for_starts = 150;  // the search begins on a subset of those
   int most_evaluations = 300;
 };
 

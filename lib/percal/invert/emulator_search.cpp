@@ -15,7 +15,6 @@ constexpr double plane_over_spread = 5;   // prior deviation of the plane's slop
 constexpr double smallest_spread = 1e-6;  // of ln depth, where all runs say the same
 constexpr double smallest_roughness = 1e-3;  // scatter about the plane, over the spread
 constexpr double smallest_noise = 1e-4;      // over the spread: keeps the covariance positive definite
-constexpr int most_points_for_starts = 150;  // the first stage of the search
 constexpr int evaluations_of_a_start = 40;
 constexpr double tolerance = 5e-3;  // of ln likelihood
 
@@ -251,7 +250,7 @@ EmulatorSettings find_settings(const std::vector<TrainingRun>& runs, const Emula
   const auto believed = beliefs(order, roughness_of(data), spread(data.values), has_several_meshes(runs));
 
   Posterior first =
-      posterior_of(data, runs_for_search(runs, std::min<int>(most_points_for_starts, chosen.size())), believed);
+      posterior_of(data, runs_for_search(runs, std::min<int>(options.most_points_for_starts, chosen.size())), believed);
   for (const auto& start : starts(order, believed))
     first.climb(start, std::min(evaluations_of_a_start, options.most_evaluations));
   Posterior second = posterior_of(data, chosen, believed);

@@ -97,8 +97,11 @@ class Search {
         xy += dx * dy;
       }
     const double spread = xx - x * x / n;
+    // The expected slope as answers of that spread about their mean, if it counts.
+    const double beforehand = options_.slope_error ? std::pow(options_.noise / *options_.slope_error, 2) : 0;
+    const double known = spread + beforehand;
     Line line{-options_.expected_slope, centre, options_.noise, 0, static_cast<int>(n)};
-    if (n >= 2 && spread > 1e-6) line.slope = (xy - x * y / n) / spread;
+    if (n >= 2 && known > 1e-6) line.slope = (xy - x * y / n - beforehand * options_.expected_slope) / known;
     if (!(line.slope < -least_slope / scale_))
       line.slope = -options_.expected_slope;  // noise over too short a span: the depth does fall with stiffness
     const double level = y / n - line.slope * x / n;
@@ -112,7 +115,7 @@ class Search {
       }
     if (n > 2) line.scatter = std::max(options_.noise, std::sqrt(squares / (n - 2)));
     const double off = line.at_root - centre - x / n;
-    line.error = line.scatter / std::abs(line.slope) * std::sqrt(1 / n + (spread > 1e-6 ? off * off / spread : 0));
+    line.error = line.scatter / std::abs(line.slope) * std::sqrt(1 / n + (known > 1e-6 ? off * off / known : 0));
     return line;
   }
 

@@ -2,6 +2,7 @@
 // the whole.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct InversionOptions {
   double noise = 0.015;  // relative standard deviation of one answer, where the answers don't show a larger one
   // |d ln depth/d ln modulus|, before there are answers to tell: where it is larger, steps and the line's window are smaller.
   double expected_slope = 0.4;
+  std::optional<double> slope_error =
+      {};                  // its standard deviation, where it counts among what the answers say of the line's slope
   double most_step = 6;    // how far from the start to look
   int fewest_in_line = 5;  // answers near the root that the line shall have
   int most_evaluations = 24;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/atlas/expected.hpp"
 #include "percal/campaign/depth_search.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/one_depth/findings.hpp"
@@ -13,27 +14,15 @@
 namespace percal {
 namespace {
 
-constexpr int own_line = 2 * usual_replicates, other_lines = usual_replicates;  // answers that a line shall have
-constexpr double slope_of_strain = 1.2;  // |d ln depth/d ln erosion strain| that a search expects
-constexpr double farthest_strain = 2.5;  // of ln erosion strain from where a search begins
-constexpr double expected_exponent = 2;  // of 1/erosion strain, with which the modulus goes along a ridge
+constexpr int own_line = 2 * usual_replicates,
+              other_lines = usual_replicates;  // answers that a line shall have where the atlas does not tell of it
+constexpr double slope_of_strain = 1.2;        // |d ln depth/d ln erosion strain| that a search expects
+constexpr double farthest_strain = 2.5;        // of ln erosion strain from where a search begins
+constexpr double expected_exponent = 2;        // of 1/erosion strain, with which the modulus goes along a ridge
 
 LayerMaterial with(LayerMaterial material, LayerNumber number, double value) {
   number_of(material, number) = value;
   return material;
-}
-
-// One run an answer, each of the next phase of the mesh, so that a line through them is none of one phase.
-DepthOfModulus depth_by_runs(Campaign& campaign, const InvertRequest& request, const LayerMaterial& material,
-                             double& worst_closure) {
-  return [&, answer = 0](double log_value) mutable {
-    const Reduction reduction = reduce(scene_of(request, with(material, request.sought, std::exp(log_value))));
-    const auto phases = replicates_of(reduction.problem, usual_replicates);
-    const Penetration found =
-        summarise({campaign.evaluate(phases[answer++ % usual_replicates])}, reduction.problem, reduction.scales);
-    worst_closure = std::max(worst_closure, found.worst_closure);
-    return answer_of(found);
-  };
 }
 
 // The materials in which the searches of the ridge begin.
@@ -81,7 +70,8 @@ std::vector<ValueErrorPart> measured_shares(const OneDepth& found, const Inversi
   return shares;
 }
 
-void add_errors(PairOfDepth& pair, const OneDepth& found, double worst_closure) {
+// All but the solver's.
+std::vector<ValueErrorPart> other_shares(const PairOfDepth& pair, const OneDepth& found, double worst_closure) {
   const InvertRequest& request = found.request;
   const Scene scene = scene_of(request, pair.material);
   Penetration at_root;
@@ -90,10 +80,27 @@ void add_errors(PairOfDepth& pair, const OneDepth& found, double worst_closure) 
   auto others = measured_shares(found, pair.search);
   for (ValueErrorPart& share : rule_shares(depth_error(scene, reduce(scene), at_root), request.depth, pair.search))
     others.push_back(std::move(share));
+  return others;
+}
+
+void add_errors(PairOfDepth& pair, const OneDepth& found, double worst_closure) {
+  const InvertRequest& request = found.request;
+  const auto others = other_shares(pair, found, worst_closure);
   const double half = half_width(pair.search, others, request.level), value = number_of(pair.material, request.sought);
   pair.interval = Between{value * std::exp(-half), value * std::exp(half)};
   pair.errors = {solver_share(pair.search)};
   pair.errors.insert(pair.errors.end(), others.begin(), others.end());
+}
+
+// A search whose end the atlas expects begins there, and its line has as many answers as the other errors ask for.
+void begin_by_atlas(const InvertRequest& request, const LayerMaterial& begin, InversionOptions& options) {
+  const auto material = [&](double log_value) { return with(begin, request.sought, std::exp(log_value)); };
+  const auto root =
+      expected_root([&](double log_value) { return reduce(scene_of(request, material(log_value))).problem; },
+                    std::log(request.depth / request.shot.radius), options.start, options.most_step);
+  if (!root) return;
+  const PairOfDepth expected{.material = material(root->log_value), .search = {.slope = root->slope}};
+  begin_at(*root, of_depth(other_shares(expected, {.request = request, .ridge = {}}, 0)), options);
 }
 
 std::optional<double> exponent_of(const std::vector<PairOfDepth>& ridge) {
@@ -124,7 +131,11 @@ OneDepth find_at_depth(const InvertRequest& request, Campaign& campaign) {
       options.expected_slope = slope_of_strain;
       options.most_step = farthest_strain;
     }
-    return invert_modulus(depth_by_runs(campaign, request, begin[at], closures[at]), options);
+    begin_by_atlas(request, begin[at], options);
+    const auto reduction = [&](double log_value) {
+      return reduce(scene_of(request, with(begin[at], request.sought, std::exp(log_value))));
+    };
+    return invert_modulus(one_run_an_answer(campaign, reduction, closures[at]), options);
   });
   OneDepth found{.request = request, .ridge = std::vector<PairOfDepth>(count)};
   for (int k = 0; k < count; ++k) {

@@ -44,4 +44,10 @@ double half_width(const Inversion& found, const std::vector<ValueErrorPart>& oth
                     normal_quantile(upper) * std::sqrt(squares));
 }
 
+double of_depth(const std::vector<ValueErrorPart>& shares) {
+  double squares = 0;
+  for (const ValueErrorPart& share : shares) squares += share.of_depth.value_or(0) * share.of_depth.value_or(0);
+  return std::sqrt(squares);
+}
+
 }  // namespace percal

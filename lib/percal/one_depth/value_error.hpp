@@ -31,4 +31,7 @@ std::vector<ValueErrorPart> rule_shares(const DepthError& error, double depth, c
 // Half width of the interval of the ln of the number: Student's t for the solver's share, the others as known.
 double half_width(const Inversion& found, const std::vector<ValueErrorPart>& others, double level);
 
+// The root of the sum of their squares, of ln depth.
+double of_depth(const std::vector<ValueErrorPart>& shares);
+
 }  // namespace percal

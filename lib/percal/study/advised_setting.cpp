@@ -90,9 +90,9 @@ std::string why_no_mesh(std::span<const Rung> rungs, const LadderModel& model) {
       100 * model.noise.on(rungs.back().elements_per_radius));
 }
 
-std::string why_no_number(const LadderModel& model, double scene_mesh) {
+std::string why_no_number(double noise) {
   return fmt::format("up to {} replicates do not reach it: a run scatters by {:.2g} %", most_advised_replicates,
-                     100 * model.noise.on(scene_mesh));
+                     100 * noise);
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double tar
   advice.cpu_seconds_high = bounded(std::max(best.cpu_seconds, value_at(others, 0.975)));
   if (!best.is_found()) {
     advice.why_not =
-        study.has_limit() ? why_no_mesh(rungs, study.model) : why_no_number(study.model, ladder.scene_mesh);
+        study.has_limit() ? why_no_mesh(rungs, study.model) : why_no_number(study.model.noise.on(ladder.scene_mesh));
     return advice;
   }
   advice.is_found = true;
@@ -129,6 +129,21 @@ AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double tar
   advice.noise_error = noise / std::sqrt(best.replicates);
   advice.error = combined_error(best.discretisation, noise, best.replicates);
   advice.cpu_seconds = best.cpu_seconds;
+  return advice;
+}
+
+AdvisedSetting advise(double elements_per_radius, double noise, double target) {
+  AdvisedSetting advice;
+  advice.target = target;
+  advice.replicates = replicates_for(target, 0, noise);
+  advice.is_found = advice.replicates > 0;
+  if (!advice.is_found) {
+    advice.why_not = why_no_number(noise);
+    return advice;
+  }
+  advice.elements_per_radius = elements_per_radius;
+  advice.noise_error = noise / std::sqrt(advice.replicates);
+  advice.error = advice.noise_error;
   return advice;
 }
 

@@ -24,10 +24,13 @@ struct AdvisedSetting {
   int replicates = 0;
   std::optional<double> discretisation_error;  // not there without a limit
   double noise_error = 0, error = 0;
-  double cpu_seconds = 0;                                   // of all replicates
+  double cpu_seconds = 0;                                   // of all replicates; 0 where nobody has measured it
   std::optional<double> cpu_seconds_low, cpu_seconds_high;  // 95 of 100 cases; not there: unbounded
 };
 
 AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double target);
+
+// Of a scene without a limit, one run of which is known to scatter by `noise` on its own mesh: no ladder is needed.
+AdvisedSetting advise(double elements_per_radius, double noise, double target);
 
 }  // namespace percal

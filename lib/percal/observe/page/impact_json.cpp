@@ -1,5 +1,10 @@
 #include "percal/observe/page/impact_json.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "percal/math/distributions.hpp"
 #include "percal/observe/block_reach.hpp"
 #include "percal/observe/history.hpp"
 #include "percal/observe/page/depth_error.hpp"
@@ -8,6 +13,7 @@
 #include "percal/problem/replicates.hpp"
 #include "percal/scene/erosion_length.hpp"
 #include "percal/scene/scene_toml.hpp"
+#include "percal/units/quantity.hpp"
 
 namespace percal {
 namespace {
@@ -30,6 +36,19 @@ Json mesh_to_json(const Reduction& reduction) {
           {"growth", reduction.mesh.growth}};
 }
 
+Json atlas_to_json(const std::optional<AtlasDepth>& atlas) {
+  if (!atlas) return nullptr;
+  return {
+      {"depth_m", atlas->depth}, {"low_m", atlas->low}, {"high_m", atlas->high}, {"width_over_radius", atlas->width}};
+}
+
+Json ladder_to_json(const AdvisedAccuracy& advised) {
+  if (advised.atlas) return nullptr;
+  return {{"elements_per_radius", advised.studied_meshes},
+          {"replicates", advised.studied_replicates},
+          {"time_step_factor", advised.time_step_factor}};
+}
+
 Json accuracy_to_json(const AdvisedAccuracy& advised) {
   return {{"target_error", advised.target_error},
           {"why_not", text_or_null(advised.why_not)},
@@ -43,10 +62,9 @@ Json accuracy_to_json(const AdvisedAccuracy& advised) {
           {"cpu_s", finite(advised.cpu_seconds)},
           {"cpu_low_s", finite(advised.cpu_seconds_low)},
           {"cpu_high_s", finite(advised.cpu_seconds_high)},
-          {"ladder",
-           {{"elements_per_radius", advised.studied_meshes},
-            {"replicates", advised.studied_replicates},
-            {"time_step_factor", advised.time_step_factor}}},
+          {"from", advised.atlas ? "the atlas" : "the study"},
+          {"atlas", atlas_to_json(advised.atlas)},
+          {"ladder", ladder_to_json(advised)},
           {"study_was_kept", advised.study_was_kept},
           {"study_cpu_s", advised.study_cpu_seconds}};
 }
@@ -97,6 +115,24 @@ Json error_to_json(const ImpactFindings& f) {
   return depth_error_to_json(depth_error(f.scene, f.reduction, f.penetration, evidence));
 }
 
+// The runs against what the atlas expects of them: a sentence where the 95 % intervals of both means, and what the wall may do, leave a gap.
+std::vector<std::string> words_against_atlas(const ImpactFindings& f) {
+  if (!f.accuracy || !f.accuracy->atlas || f.runs.empty()) return {};
+  const AtlasDepth& atlas = *f.accuracy->atlas;
+  const std::string expected = format_quantity(atlas.depth, dimension::length);
+  if (!f.penetration.depth)
+    return {fmt::format("The atlas expects this shot to stop at {}, and not every run did.", expected)};
+  const double depth = *f.penetration.depth, normal95 = normal_quantile(0.5 + depth_error_level / 2);
+  double allowed = normal95 * (atlas.deviation + f.accuracy->noise_error.value_or(0));
+  if (f.reduction.problem.width < atlas.width)
+    allowed +=
+        depth_error(f.scene, f.reduction, f.penetration).of(DepthErrorSource::wall).half_width.value_or(0) / depth;
+  const double apart = std::log(atlas.depth / depth);
+  if (std::abs(apart) <= allowed) return {};
+  return {fmt::format("The atlas expects {}, {:.2g} % {} than these runs, where the errors of both allow {:.2g} %.",
+                      expected, 100 * std::abs(std::expm1(apart)), apart > 0 ? "more" : "less", 100 * allowed)};
+}
+
 // What the runs say; of none: null.
 Json outcome_to_json(const ImpactFindings& f) {
   const bool ran = !f.runs.empty();
@@ -137,6 +173,7 @@ Json impact_to_json(const ImpactFindings& f) {
          {warnings(f.penetration, f.runs), warnings(measures, f.runs), warnings_of_reach(f.reduction.problem, f.runs)})
       for (const std::string& warning : list) sentences.push_back(warning);
   for (const std::string& note : f.evidence.notes) sentences.push_back(note);
+  for (const std::string& words : words_against_atlas(f)) sentences.push_back(words);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));
   result.update(field_measures_to_json(measures, f.scene, f.reduction, f.penetration, f.runs));

@@ -11,7 +11,15 @@
 
 namespace percal {
 
-// Mesh and replicates that the scene's study advises for an error of the depth. Errors are shares of the depth.
+// What the atlas expects of a run, before there is one.
+struct AtlasDepth {
+  double depth = 0;          // m, the mean over the mesh phase
+  double deviation = 0;      // standard deviation of its ln
+  double low = 0, high = 0;  // m, between which 95 of 100 single runs lie
+  double width = 0;          // radii: its own wall
+};
+
+// Mesh and replicates that the scene's study, or the atlas in its place, advises for an error of the depth. Errors are shares of the depth.
 struct AdvisedAccuracy {
   double target_error = 0;
   std::string why_not = "";                        // why nothing was run for it; empty: something was
@@ -20,6 +28,7 @@ struct AdvisedAccuracy {
   std::optional<int> replicates = {};
   std::optional<double> discretisation_error = {}, noise_error = {}, error = {};
   std::optional<double> cpu_seconds = {}, cpu_seconds_low = {}, cpu_seconds_high = {};
+  std::optional<AtlasDepth> atlas = {};  // there: the advice is the atlas's, and there is no study
   // The study: its meshes, the runs on each, its time step; whether the store had it, and what it cost now.
   std::vector<double> studied_meshes = {};
   int studied_replicates = 0;
