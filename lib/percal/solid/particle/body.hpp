@@ -62,8 +62,8 @@ class PrismShape {
   template <class Real>
   int find(const SolidKernel<Real>& kernel, const SolidBlock<Real>& block, const ColumnNodes& nodes,
            const std::array<double, 3>& centre, int* found) const {
-    return kernel.nodes_in_polyhedron(block.fields(), nodes, faces_.data(), static_cast<int>(faces_.size()), centre,
-                                      found);
+    return kernel.nodes_in_polyhedron(block.fields(), nodes, faces_.data(), static_cast<int>(faces_.size()),
+                                      std::hypot(reach_, half_thickness_), centre, found);
   }
   SpaceOverlap overlap(const std::array<double, 3>& from) const { return overlap_with(faces_, from); }
   double lowest() const { return lowest_; }

@@ -49,7 +49,7 @@ class PolyhedronRun : public NeverDeforms {
   template <class Real>
   int find(const SolidKernel<Real>& kernel, const SolidBlock<Real>& block, const ColumnNodes& nodes, int* found) const {
     return kernel.nodes_in_polyhedron(block.fields(), nodes, ahead_.faces.data(), static_cast<int>(ahead_.faces.size()),
-                                      {ahead_.centre[0], ahead_.centre[1], ahead_.centre[2]}, found);
+                                      reach_, {ahead_.centre[0], ahead_.centre[1], ahead_.centre[2]}, found);
   }
   SpaceOverlap overlap(const std::array<double, 3>& point) const {
     const auto& c = ahead_.centre;
