@@ -83,16 +83,17 @@ Matrix3d Top::inverse_inertia_at(const Matrix3d& attitude) const {
 
 void Top::turn(double time) {
   if (momentum_.isZero(0) || time == 0) return;
-  constexpr int rounds = 4;  // each takes the error by the square of the step's turn
-  Matrix3d middle = attitude_;
+  constexpr int most_turn_rounds = 20;  // each takes the error down by the angle of half a step
+  constexpr double rounding = 1e-15;
   Vector3d mean_spin = spin();
   const auto turned_by = [&](double share) -> Matrix3d {
     const double angle = mean_spin.norm() * share * time;
     return angle == 0 ? attitude_ : Eigen::AngleAxisd(angle, mean_spin.normalized()) * attitude_;
   };
-  for (int round = 0; round < rounds; ++round) {
-    middle = turned_by(0.5);
-    mean_spin = inverse_inertia_at(middle) * momentum_;
+  for (int round = 0; round < most_turn_rounds; ++round) {
+    const Vector3d before = mean_spin;
+    mean_spin = inverse_inertia_at(turned_by(0.5)) * momentum_;
+    if ((mean_spin - before).norm() <= rounding * mean_spin.norm()) break;
   }
   attitude_ = turned_by(1);
 }

@@ -1,5 +1,5 @@
 // Rigid convex polyhedra, which may turn about all axes. They answer to what bodies answer to (body.hpp); what a plane of symmetry, or a
-// scene that holds the body, keeps from moving has no share in it. x to the right, y away, z downwards.     docs/theory/solid.md, "Bodies"
+// scene that holds the body, keeps from moving has no share in it. x to the right, y away, z downwards.     docs/theory/solid.md, "Polyhedra"
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
