@@ -12,5 +12,6 @@
 #include "percal/text/file.hpp"
 #include "percal/text/job_table.hpp"
 #include "percal/text/range.hpp"
+#include "percal/text/stl.hpp"
 #include "percal/text/toml.hpp"
 #include "percal/text/toml_edits.hpp"

@@ -34,6 +34,13 @@ TEST(BoxGrid, CubesInTheMiddleAndCellsThatGrowToTheWalls) {
     }
 }
 
+TEST(BoxGrid, BothSidesOfAPlaneAreMirrorImages) {
+  const BoxGrid grid = box_grid({.left = {1, 5}, .against = {1, 5}});
+  for (const auto* planes : {&grid.x, &grid.y})
+    for (std::size_t i = 0; i < planes->size(); ++i) EXPECT_EQ((*planes)[i], -(*planes)[planes->size() - 1 - i]);
+  EXPECT_EQ(grid.x, grid.y);
+}
+
 TEST(BoxGrid, AQuarterBeginsAtTheMiddle) {
   const BoxGrid grid = box_grid({});
   EXPECT_EQ(grid.x.front(), 0);

@@ -33,6 +33,14 @@ TEST(BlockReach, APathBeyondTheCubesIs) {
   EXPECT_THAT(warnings_of_reach(block(), run_to(3, -2)), testing::ElementsAre(HasSubstr("2 radii aside")));
 }
 
+TEST(BlockReach, APathAcrossBeyondTheCubesIs) {
+  Problem whole = block();
+  whole.block.whole_across = true;
+  auto runs = run_to(3, 0);
+  runs[1].result.in_space = {.across = -1.5, .axis = {}};
+  EXPECT_THAT(warnings_of_reach(whole, runs), testing::ElementsAre(HasSubstr("1.5 radii across")));
+}
+
 TEST(BlockReach, OtherGeometriesHaveNoCubes) {
   Problem p = block();
   p.geometry = Geometry::axisymmetric;

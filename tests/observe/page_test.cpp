@@ -328,6 +328,30 @@ TEST_F(ImpactPage, SaysHowFastTheParticleIsThrownBack) {
   EXPECT_THAT(words_of(page()), HasSubstr("ended differently (rests, left upwards)"));
 }
 
+// Turned by 0.5 and 0.3 rad about one axis; a quarter has no such path.
+TEST_F(ImpactPage, SaysHowABodyTurnsAboutAllAxesAndWhatIsComputedOfABlock) {
+  read(R"(geometry = "block"
+[particle]
+shape = "polyhedron"
+vertices = [["-1 um", "-1 um", "0 um"], ["1 um", "-0.5 um", "0 um"], ["0 um", "1 um", "0 um"], ["0.2 um", "0 um", "2 um"]]
+rotation = "free"
+)" + gold_into_skin.substr(gold_into_skin.find("density"), gold_into_skin.find("[mesh]") - gold_into_skin.find("density")));
+  for (Evaluation& run : found.runs)
+    run.result.sideways = -2, run.result.turn = 0.5, run.result.in_space = {.across = 0.5, .axis = {0, -0.6, 0.8}};
+  found.runs.back().result.turn = 0.3;
+  const Json run = result()["runs"][0];
+  EXPECT_NEAR(run["across_m"].get<double>(), 0.5e-6, 1e-12);
+  EXPECT_EQ(run["turn_axis"], (std::array{0.0, -0.6, 0.8}));
+  EXPECT_EQ(result()["mesh"]["computed_share"], 1);
+  const std::string words = words_of(page());
+  EXPECT_THAT(words, HasSubstr("computed | all of the block: the scene is not its own mirror image"));
+  EXPECT_THAT(words, HasSubstr("2 um to the left, 500 nm to the back, turned by 22.9 deg about (0, -0.6, 0.8)"));
+  read(gold_into_skin);
+  for (Evaluation& flat : found.runs) flat.result.in_space.reset();
+  EXPECT_TRUE(result()["runs"][0]["across_m"].is_null());
+  EXPECT_TRUE(result()["mesh"]["computed_share"].is_null());
+}
+
 TEST_F(ImpactPage, HasTheShotsNumbersAndTheSpeedsBehindLayers) {
   read(gold_into_skin +
        "[[below]]\nname = \"fat\"\ndensity = \"900 kg/m3\"\nmu = \"9 MPa\"\nalpha = 8\ndepth = \"5 um\"\n");

@@ -54,6 +54,13 @@ TEST(Picture, ErodedCellsAndThoseFarBelowAreLeftOut) {
   EXPECT_EQ(cells_in(picture_script(frame, crater(), scales, PictureFormat::svg, "")), all - 1);
 }
 
+// As where it has gone out of the plane of the cut.
+TEST(Picture, AParticleOfWhichThereIsNothingIsNotDrawn) {
+  Frame frame = last_frame(crater());
+  frame.particle = {};
+  EXPECT_EQ(picture_script(frame, crater(), scales, PictureFormat::svg, "").find("polygon"), std::string::npos);
+}
+
 TEST(Picture, IsMirroredUnlessTheModelIsWhole) {
   EXPECT_THAT(picture_script(last_frame(crater()), crater(), scales, PictureFormat::svg, ""),
               HasSubstr("using (-$1):2:3"));

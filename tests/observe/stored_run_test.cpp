@@ -69,6 +69,16 @@ TEST(Payload, ComesBackToTheLastBit) {
   EXPECT_TRUE(after.reused);
 }
 
+TEST(Payload, APathInSpaceComesBackToTheLastBit) {
+  Evaluation before = awkward();
+  EXPECT_FALSE(from_payload(to_payload(before)).result.in_space);
+  before.result.in_space = {.across = 1 / 3.0, .axis = {1 / 7.0, -1 / 11.0, 1 / 13.0}};
+  const auto after = from_payload(to_payload(before)).result.in_space;
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->across, before.result.in_space->across);
+  EXPECT_EQ(after->axis, before.result.in_space->axis);
+}
+
 TEST(Payload, FieldMeasuresComeBackToTheLastBit) {
   Evaluation before = awkward();
   before.result.speeds_behind = {1 / 3.0, 1 / 7.0};

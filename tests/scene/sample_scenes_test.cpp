@@ -1,4 +1,4 @@
-// The scenes of data/guha2009 with profiles and layers, against the tables that they are made from.
+// The scenes of data/guha2009 with profiles and layers, against the tables that they are made from; a made-up chip.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,6 +33,12 @@ TEST(SampleScenes, TheSquareIsThatOfTable52) {
   EXPECT_NEAR(scene.particle.density, 7610, 0.01 * 7610) << "steel, from the printed mass";
   EXPECT_NEAR(elements_on_the_balls_radius(scene), 14, 0.28);
   EXPECT_TRUE(scene.mesh.whole);
+}
+
+TEST(SampleScenes, TheChipIsATetrahedronWithoutAPlaneOfSymmetry) {
+  const Scene scene = read_scene(std::string(PERCAL_DATA) + "/synthetic/chip.toml");
+  EXPECT_EQ(std::get<PolyhedronShape>(scene.particle.shape).vertices.size(), 4u);
+  EXPECT_TRUE(scene.mesh.whole && scene.mesh.whole_across);
 }
 
 TEST(SampleScenes, SkinHasThreeLayers) {

@@ -144,7 +144,9 @@ TEST(ScenePage, TheLongExampleNamesEveryKeyWithADefault) {
                                               "growth",
                                               "stretch_across",
                                               "fine_thickness",
-                                              "fine_depth"};
+                                              "fine_depth",
+                                              "stl_unit",
+                                              "whole_across"};
   for (const auto& [heading, keys] : described_keys()) {
     for (const auto& key : keys) {
       const bool written = examples().at(1).find(key + " = ") != std::string::npos;

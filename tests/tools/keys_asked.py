@@ -10,7 +10,7 @@ import sys
 READERS = ["scene/*_toml.cpp", "scaling/system.cpp", "scaling/system_toml.cpp", "scaling/scale_job.cpp",
            "identify/read_job.cpp", "calibrate/job/*.cpp", "text/job_table.cpp"]
 WRITERS = {"scene_to_toml.cpp"}
-GETTERS = ("quantity|quantities|quantity_pairs|optional_quantity|number|numbers|optional_number|integer|optional_integer|flag|text"
+GETTERS = ("quantity|quantities|quantity_pairs|quantity_triples|optional_quantity|number|numbers|optional_number|integer|optional_integer|flag|text"
            "|texts|optional_text|word|table|tables|optional_table|path|optional_path|knows|has|is_array|is_text")
 # Functions of the readers that hand a key on: the key is their first or second argument.
 HELPERS = ("share|choice|angle|column_of|column_index|share_from|optional_share_from|number_from|values_of_rows|one_of|one_of_rows|layer_size|lengths"
@@ -19,7 +19,7 @@ LITERALS = [re.compile(rf'(?:\.|->)(?:{GETTERS})\(\s*"([^"]+)"'),
             re.compile(rf'\b(?:{HELPERS})\((?:\*?\w+,\s*)?"([^"]+)"'),
             re.compile(r'\{"([a-z_]+)",\s*(?:dimension::|"[^"]*",\s*"[^"]*",\s*dimension::|"[^"]*",\s*"[^"]*",\s*Dimension)')]
 # Cells of CSV tables, the columns of vertices and of curves; the older spelling of hypotheses; what older scenes have.
-NOT_KEYS = {"x", "y", "readings", "contact_stiffness"}
+NOT_KEYS = {"x", "y", "z", "readings", "contact_stiffness"}
 
 
 def literals(root):

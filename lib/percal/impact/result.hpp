@@ -101,14 +101,22 @@ struct Channel {
   std::vector<double> end;      // when it ended
 };
 
+// What turns about all axes and moves along y, too: a polyhedron in a whole block. x to the right, y away, z upwards.
+struct SpacePath {
+  double across = 0;  // how far the centre of mass went along y, radii
+  std::array<double, 3> axis{0, 0,
+                             0};  // about which it has turned by ImpactResult::turn, anticlockwise seen against it
+};
+
 struct ImpactResult {
   Outcome outcome = Outcome::unstable;
   std::string reason;  // of unstable, and of a time that is up because the step collapsed, in words; else empty
   double depth = 0;    // deepest tip position, radii
   double end_time = 0;
   double end_speed = 0;
-  double sideways = 0;         // how far a free particle's centre of mass went to the right, radii
-  double turn = 0;             // how far it turned anticlockwise, rad
+  double sideways = 0;  // how far a free particle's centre of mass went to the right, radii
+  double turn = 0;      // how far it turned anticlockwise, rad
+  std::optional<SpacePath> in_space;
   double target_momentum = 0;  // downwards, of the target's nodes, over particle mass times the scene's impact speed
   long elements = 0;
   long steps = 0;            // of the longer kind

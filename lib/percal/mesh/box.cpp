@@ -18,16 +18,19 @@ std::vector<double> nodes_along(const BoxAxis& axis, const BoxGridOptions& box) 
 }  // namespace
 
 BoxGrid box_grid(const BoxGridOptions& options) {
-  BoxGrid grid;
-  if (options.left.end > 0) {
-    const auto left = nodes_along(options.left, options);
-    for (auto x = left.rbegin(); *x > 0; ++x) grid.x.push_back(-*x);
-  }
-  const auto right = nodes_along(options.right, options);
-  grid.x.insert(grid.x.end(), right.begin(), right.end());
-  grid.y = nodes_along(options.along, options);
-  grid.z = nodes_along(options.down, options);
-  return grid;
+  // Of both directions from 0, or of one.
+  const auto both_ways = [&options](const BoxAxis& negative, const BoxAxis& positive) {
+    std::vector<double> nodes;
+    if (negative.end > 0) {
+      const auto from_zero = nodes_along(negative, options);
+      for (auto x = from_zero.rbegin(); *x > 0; ++x) nodes.push_back(-*x);
+    }
+    const auto from_zero = nodes_along(positive, options);
+    nodes.insert(nodes.end(), from_zero.begin(), from_zero.end());
+    return nodes;
+  };
+  return {both_ways(options.left, options.right), both_ways(options.against, options.along),
+          nodes_along(options.down, options)};
 }
 
 }  // namespace percal

@@ -25,11 +25,12 @@ struct BoxGridOptions {
   double growth = 1.25;  // of each cell over the one before, at most, where they grow
   BoxAxis left{0, 0};    // of x, counted to the left; none where x = 0 is a plane of symmetry
   BoxAxis right{1, 5};
-  BoxAxis along{1, 5};   // of y
-  BoxAxis down{75, 75};  // of z
+  BoxAxis along{1, 5};    // of y
+  BoxAxis against{0, 0};  // of y, counted the other way; none where y = 0 is a plane of symmetry
+  BoxAxis down{75, 75};   // of z
 };
 
-// Needs positive lengths, but for `left`. Nodes stand on x = 0, y = 0 and z = 0.     docs/theory/solid.md (1)
+// Needs positive lengths, but for `left` and `against`. Nodes stand on x = 0, y = 0 and z = 0.     docs/theory/solid.md (1)
 BoxGrid box_grid(const BoxGridOptions& options);
 
 }  // namespace percal

@@ -12,11 +12,12 @@ namespace percal {
 std::vector<std::string> warnings_of_reach(const Problem& problem, const std::vector<Evaluation>& runs) {
   if (problem.geometry != Geometry::block) return {};
   const BoxGridOptions box = box_options(problem);
-  double deepest = 0, right = 0, left = 0;
+  double deepest = 0, right = 0, left = 0, across = 0;
   for (const Evaluation& run : runs) {
     deepest = std::max(deepest, std::min(run.result.depth, problem.whole_depth()));
     right = std::max(right, run.result.sideways);
     left = std::max(left, -run.result.sideways);
+    if (run.result.in_space) across = std::max(across, std::abs(run.result.in_space->across));
   }
   std::vector<std::string> warnings;
   if (deepest > box.down.fine * (1 + 1e-9))
@@ -31,6 +32,11 @@ std::vector<std::string> warnings_of_reach(const Problem& problem, const std::ve
                     "to the right: "
                     "fine_width holds it",
                     std::max(left, right), box.left.fine, box.right.fine));
+  if (across > box.along.fine)
+    warnings.push_back(
+        fmt::format("the particle went {:.4g} radii across, beyond the cubes, which reach {:.4g} to both sides: "
+                    "fine_thickness holds it",
+                    across, box.along.fine));
   return warnings;
 }
 

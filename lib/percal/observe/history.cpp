@@ -22,7 +22,7 @@ Column force_column(const Problem& problem, const Scales& scales) {
   const double density = scales.target_density, v = scales.speed, a = scales.radius;
   if (problem.geometry == Geometry::plane_strain)
     return {"force_N_per_m", &HistoryPoint::force, (problem.whole ? 1 : 2) * density * v * v * a};
-  const double parts = problem.geometry != Geometry::block ? 2 * std::numbers::pi : problem.whole ? 2 : 4;
+  const double parts = problem.geometry != Geometry::block ? 2 * std::numbers::pi : 1 / computed_share(problem);
   return {"force_N", &HistoryPoint::force, parts * density * v * v * a * a};
 }
 

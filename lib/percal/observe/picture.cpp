@@ -139,8 +139,8 @@ std::string picture_script(const Frame& frame, const Problem& problem, const Sca
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", window.left * unit,
                         window.right * unit, -window.bottom * unit, -window.top * unit);
   const std::vector<Point> outline = outline_of(frame.particle, !problem.whole);
-  if (std::all_of(outline.begin(), outline.end(), [](const Point& p) { return std::isfinite(p[0] + p[1]); }))
-    script += polygon(outline, unit);
+  const auto is_finite = [](const Point& p) { return std::isfinite(p[0] + p[1]); };
+  if (!outline.empty() && std::all_of(outline.begin(), outline.end(), is_finite)) script += polygon(outline, unit);
   // A cell without area on top, so that there is always something to draw.
   const std::string nothing = fmt::format("0 {0:.6g} 1\n0 {0:.6g} 1\n", -window.bottom / 2 * unit);
   script += "$cells << END\n" + cells.text + nothing + "\n" + nothing + "END\n";

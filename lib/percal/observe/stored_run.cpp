@@ -78,6 +78,9 @@ void add_what_is_there(Members& members, const ImpactResult& r) {
   if (!r.channel.largest.empty())
     members["channel"] = object_text({{"largest", list_text(r.channel.largest)}, {"end", list_text(r.channel.end)}});
   if (r.aftermath) members["aftermath"] = aftermath_text(*r.aftermath);
+  if (r.in_space)
+    members["in_space"] = object_text({{"across", value_text(finite(r.in_space->across))},
+                                       {"axis", list_text({r.in_space->axis.begin(), r.in_space->axis.end()})}});
   if (r.eroded_by != ErodedBy{})
     members["eroded_by"] = object_text({{"strain", value_text(r.eroded_by.strain)},
                                         {"stress", value_text(r.eroded_by.stress)},
@@ -114,6 +117,10 @@ void take_what_is_there(const Json& json, ImpactResult& r) {
   if (json.contains("channel"))
     r.channel = {.largest = numbers(json.at("channel").at("largest")), .end = numbers(json.at("channel").at("end"))};
   if (json.contains("aftermath")) r.aftermath = aftermath_from(json.at("aftermath"));
+  if (const auto path = json.find("in_space"); path != json.end()) {
+    const auto axis = numbers(path->at("axis"));
+    r.in_space = {.across = number(path->at("across")), .axis = {axis.at(0), axis.at(1), axis.at(2)}};
+  }
   if (const auto by = json.find("eroded_by"); by != json.end())
     r.eroded_by = {by->at("strain").get<long>(), by->at("stress").get<long>(), by->at("energy").get<long>()};
 }

@@ -37,15 +37,22 @@ struct RigidPolygon {
   double half_thickness = 0;  // of a prism in a block: along y, to both sides; else 0
   bool operator==(const RigidPolygon&) const = default;
 };
+// A convex polyhedron in a block, its vertices from the centre of mass, z upwards, half its width in x 1.
+struct RigidPolyhedron {
+  std::vector<std::array<double, 3>> vertices;
+  double mass = 0;  // of the whole body, over rho_t a^3
+  bool free_rotation = false;
+  bool operator==(const RigidPolyhedron&) const = default;
+};
 struct ElasticSphere {
   double youngs_modulus = 0;  // over rho_t v^2
   double poisson_ratio = 0.3;
   bool operator==(const ElasticSphere&) const = default;
 };
-using Particle = std::variant<RigidSphere, RigidPolygon, ElasticSphere>;
+using Particle = std::variant<RigidSphere, RigidPolygon, ElasticSphere, RigidPolyhedron>;
 
-// A block in three dimensions: x to the right, y along the particle's thickness, z downwards. y = 0 is a plane of symmetry, and x = 0
-// unless Problem::whole. Cells are cubes near the particle's path and grow towards the walls, which are as far away in x and y.
+// A block in three dimensions: x to the right, y along the particle's thickness, z downwards. y = 0 is a plane of symmetry unless
+// whole_across, and x = 0 unless Problem::whole. Cells are cubes near the particle's path and grow towards the walls, which are as far away in x and y.
 struct BlockModel {
   double fine_thickness =
       1;  // cells are cubes for |y| up to here or to the first node beyond, as for |x| up to Problem::fine_width
@@ -53,6 +60,7 @@ struct BlockModel {
   double growth = 1.25;   // of each cell over the one before, at most, from there on
   double angle =
       0;  // rad: the first velocity points so far to the right of straight down; cubes and wall reach further there
+  bool whole_across = false;  // both sides of y = 0
   bool operator==(const BlockModel&) const = default;
 };
 

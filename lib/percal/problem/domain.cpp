@@ -31,12 +31,13 @@ GradedMeshOptions mesh_options(const Problem& p) {
 
 BoxGridOptions box_options(const Problem& p) {
   const double sideways = std::tan(p.block.angle) * p.block.fine_depth;
-  const BoxAxis half{p.fine_width, p.width};
+  const BoxAxis half{p.fine_width, p.width}, along{p.block.fine_thickness, p.width};
   return {.elements_per_radius = p.elements_per_radius,
           .growth = p.block.growth,
           .left = p.whole ? half : BoxAxis{0, 0},
           .right = {half.fine + sideways, half.end + sideways},
-          .along = {p.block.fine_thickness, p.width},
+          .along = along,
+          .against = p.block.whole_across ? along : BoxAxis{0, 0},
           .down = {p.block.fine_depth, p.whole_depth()}};
 }
 

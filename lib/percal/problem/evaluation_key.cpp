@@ -26,6 +26,12 @@ struct ParticleText {
     if (profile.half_thickness != 0) text += fmt::format(" half-thickness={:.12g}", profile.half_thickness);
     return text;
   }
+  std::string operator()(const RigidPolyhedron& body) const {
+    std::string vertices;
+    for (const auto& [x, y, z] : body.vertices) vertices += fmt::format("({:.12g},{:.12g},{:.12g})", x, y, z);
+    return fmt::format("polyhedron=[{}] mass={:.12g} rotation={}", vertices, body.mass,
+                       body.free_rotation ? "free" : "fixed");
+  }
 };
 
 struct ErosionText {
@@ -117,6 +123,7 @@ std::string choices_text(const Problem& p) {
     text += fmt::format(" block={:.12g},{:.12g},{:.12g},{:.12g}", p.block.fine_thickness, p.block.fine_depth,
                         p.block.growth, p.block.angle);
   if (p.whole) text += " whole";
+  if (p.block.whole_across) text += " whole-across";
   if (p.hourglass_form == HourglassForm::viscosity) text += " hourglass-viscosity";
   if (p.volumetric_law == VolumetricLaw::quadratic) text += " volumetric=quadratic";
   if (p.volumetric_law == VolumetricLaw::logarithmic) text += " volumetric=logarithmic";

@@ -16,6 +16,15 @@ std::string why_the_particle_is_rigid(const Scene& scene) {
   return figure + "; only a sphere in an axisymmetric scene can be elastic";
 }
 
+// What the planes of symmetry of a block spare.
+LeftOut part_of_a_block(const Problem& problem) {
+  if (problem.whole)
+    return {"second half", "the scene is its own mirror image in the plane of flight: one side is computed"};
+  if (problem.block.whole_across)
+    return {"second half", "the scene is its own mirror image in the plane across x: one side is computed"};
+  return {"three quarters", "the scene is its own mirror image in two planes: one quarter is computed"};
+}
+
 struct WhyItDoesNotTurn {
   std::string operator()(const RigidSphere&) const {
     return "contact does not turn a round particle that goes straight down";
@@ -23,6 +32,9 @@ struct WhyItDoesNotTurn {
   std::string operator()(const ElasticSphere&) const { return (*this)(RigidSphere{}); }
   std::string operator()(const RigidPolygon& profile) const {
     return profile.free_rotation ? "" : "the scene holds the particle as it stands";
+  }
+  std::string operator()(const RigidPolyhedron& body) const {
+    return body.free_rotation ? "" : "the scene holds the particle as it stands";
   }
 };
 
@@ -37,11 +49,7 @@ std::vector<LeftOut> list_what_is_left_out(const Scene& scene, const Problem& pr
   if (friction_coefficient(problem) == 0) list.push_back({"friction", "the scene gives none"});
   if (problem.geometry == Geometry::plane_strain && !problem.whole)
     list.push_back({"second half", "the scene is its own mirror image: one side is computed"});
-  if (problem.geometry == Geometry::block)
-    list.push_back(
-        problem.whole
-            ? LeftOut{"second half", "the scene is its own mirror image in the plane of flight: one side is computed"}
-            : LeftOut{"three quarters", "the scene is its own mirror image in two planes: one quarter is computed"});
+  if (problem.geometry == Geometry::block && computed_share(problem) < 1) list.push_back(part_of_a_block(problem));
   if (std::holds_alternative<NoErosion>(problem.erosion)) list.push_back({"erosion", "the scene gives no limit"});
   if (problem.history_samples == 0) list.push_back({"history", "nobody asked for it"});
   if (!problem.channel) list.push_back({"radius of the channel", "nobody asked for it"});

@@ -31,6 +31,21 @@ Polygon mirrored_exactly(const Polygon& polygon) {
   return result;
 }
 
+// As it stands, in half widths from the centre of mass, from its lowest corner up; numbers to 12 places.
+Vertices reduced_vertices(const PolyhedronShape& shape) {
+  Vertices vertices = standing(shape);
+  const auto [low, high] = extent(vertices, 0);
+  const auto centre = mass_properties(convex_polyhedron(vertices)).centre;
+  for (auto& vertex : vertices)
+    for (int d = 0; d < 3; ++d) vertex[d] = (vertex[d] - centre[d]) / ((high - low) / 2);
+  for (const int axis : {0, 1})
+    if (mirror_plane(vertices, axis)) vertices = exactly_mirrored(vertices, axis);
+  for (auto& vertex : vertices)
+    for (double& coordinate : vertex) coordinate = to_12_places(coordinate);
+  std::ranges::sort(vertices, {}, [](const auto& v) { return std::array{v[2], v[0], v[1]}; });
+  return vertices;
+}
+
 SolidBody body_of(const Polygon& polygon, Geometry geometry) {
   return geometry == Geometry::axisymmetric ? body_of_revolution(polygon) : prism(polygon);
 }
@@ -79,12 +94,14 @@ bool is_elastic(const Scene& scene) {
 }
 
 // A round particle over pi a^2 or 2 a is what its mean thickness along the way weighs; a profile's mass is per radian or per thickness, in
-// a block the whole of it.
+// a block the whole of it, as a polyhedron's.
 double sectional_density(const Problem& problem, const Scales& scales) {
   const bool plane = problem.geometry == Geometry::plane_strain;
   const auto* profile = std::get_if<RigidPolygon>(&problem.particle);
   const double mean_thickness = plane ? std::numbers::pi / 2 : 4.0 / 3;  // radii
   double over_density = problem.density_ratio * mean_thickness;          // over rho_t a
+  if (const auto* body = std::get_if<RigidPolyhedron>(&problem.particle))
+    over_density = body->mass / shadow_area(convex_polyhedron(body->vertices));
   if (profile && problem.geometry == Geometry::block)
     over_density = profile->mass / (4 * profile->half_thickness);
   else if (profile)
@@ -101,6 +118,11 @@ Particle reduced_particle(const Scene& scene, double density_ratio) {
     const double stress = scene.target.density * scene.particle.speed * scene.particle.speed;
     return ElasticSphere{.youngs_modulus = round_to_12_digits(*scene.particle.youngs_modulus / stress),
                          .poisson_ratio = round_to_12_digits(scene.particle.poisson_ratio)};
+  }
+  if (const auto* body = std::get_if<PolyhedronShape>(&scene.particle.shape)) {
+    RigidPolyhedron reduced{.vertices = reduced_vertices(*body), .free_rotation = body->free_rotation};
+    reduced.mass = round_to_12_digits(density_ratio * mass_properties(convex_polyhedron(reduced.vertices)).volume);
+    return reduced;
   }
   const auto* profile = std::get_if<ProfileShape>(&scene.particle.shape);
   if (!profile) return RigidSphere{};

@@ -14,7 +14,7 @@ std::optional<double> stress_over_particle_stiffness(const Scene& scene);
 // axisymmetric scene can be one.
 bool is_elastic(const Scene& scene);
 
-// Mass over the area that faces the target: m/(pi a^2); in plane strain mass over 2 a, both of a metre's thickness. kg/m2
+// Mass over the area that faces the target: m/(pi a^2), of a polyhedron over its shadow; in plane strain mass over 2 a, both of a metre's thickness. kg/m2
 double sectional_density(const Problem& problem, const Scales& scales);
 // rho_p v a, kg/(m s); rho_p the density, or the one that makes the given mass.
 double impact_parameter(const Problem& problem, const Scales& scales);

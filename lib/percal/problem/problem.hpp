@@ -70,6 +70,9 @@ int rates_of(const Problem& problem);
 // What is said of a scene or job that still gives one.
 inline constexpr char contact_stiffness_warning[] = "contact_stiffness has no effect: contact has no springs any more";
 
+// Of a block and its particle, what is computed: 1, 1/2 or 1/4, by its planes of symmetry.
+double computed_share(const Problem& problem);
+
 // 0: none.
 double friction_coefficient(const Problem& problem);
 

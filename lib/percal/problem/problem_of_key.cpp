@@ -72,6 +72,15 @@ Particle particle_of(const KeyWords& words) {
     const auto numbers = numbers_of(words.text("elastic-sphere"), 2);
     return ElasticSphere{.youngs_modulus = numbers[0], .poisson_ratio = numbers[1]};
   }
+  if (words.values.contains("polyhedron")) {
+    RigidPolyhedron body{
+        .vertices = {}, .mass = words.number("mass"), .free_rotation = words.text("rotation") == "free"};
+    for (const std::string& corner : in_parentheses(words.text("polyhedron"))) {
+      const auto numbers = numbers_of(corner, 3);
+      body.vertices.push_back({numbers[0], numbers[1], numbers[2]});
+    }
+    return body;
+  }
   if (!words.values.contains("profile")) return RigidSphere{};
   RigidPolygon polygon{.mass = words.number("mass"),
                        .inertia = words.number("inertia"),
@@ -201,7 +210,7 @@ std::optional<Problem> problem_of_key(const std::string& key, const std::string&
   if (words.values.contains("block")) {
     const auto numbers = numbers_of(words.text("block"), 4);
     p.geometry = Geometry::block;
-    p.block = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    p.block = {numbers[0], numbers[1], numbers[2], numbers[3], words.alone.contains("whole-across")};
   }
   p.whole = words.alone.contains("whole");
   p.volumetric_law = volumetric_law_of(words.text("volumetric"));

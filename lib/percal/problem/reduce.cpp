@@ -168,7 +168,8 @@ void take_block(const Scene& scene, Problem& p) {
       .fine_thickness = round_to_12_digits(scene.mesh.fine_thickness),
       .fine_depth = std::min(p.whole_depth(), round_to_12_digits(scene.mesh.fine_depth.value_or(p.whole_depth()))),
       .growth = round_to_12_digits(scene.mesh.growth),
-      .angle = round_to_12_digits(scene.particle.angle)};
+      .angle = round_to_12_digits(scene.particle.angle),
+      .whole_across = scene.mesh.whole_across || needs_both_sides_across(scene.particle)};
 }
 
 void take_mesh(const Scene& scene, Problem& p) {
@@ -271,6 +272,10 @@ std::vector<double> Problem::lower_faces() const {
   std::vector<double> faces{depth};
   for (const LowerLayer& layer : below) faces.push_back(faces.back() + layer.depth);
   return faces;
+}
+
+double computed_share(const Problem& problem) {
+  return (problem.whole ? 1 : 0.5) * (problem.block.whole_across ? 1 : 0.5);
 }
 
 double friction_coefficient(const Problem& problem) {

@@ -33,6 +33,11 @@ void scale_the_rest(Scene& scene, const System& prototype, const System& model) 
     const int dimensions = scene.geometry == Geometry::plane_strain ? 2 : 3;
     if (profile->mass) *profile->mass *= ratio(&System::particle_density) * std::pow(length, dimensions);
   }
+  if (auto* body = std::get_if<PolyhedronShape>(&scene.particle.shape)) {
+    for (auto& vertex : body->vertices)
+      for (double& coordinate : vertex) coordinate *= length;
+    if (body->mass) *body->mass *= ratio(&System::particle_density) * std::pow(length, 3);
+  }
   for (LowerLayerScene& layer : scene.below) {
     layer.density *= density;
     layer.mu_as_given *= pressure;

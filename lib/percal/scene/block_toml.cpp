@@ -12,8 +12,8 @@
 namespace percal {
 namespace {
 
-constexpr double usual_elements = 6;     // on the smaller of half width and half thickness
-constexpr double beside_a_prism = 0.15;  // radii of cubes beside its sides and beyond its ends
+constexpr double usual_elements = 6;    // on the smaller of half width and half thickness
+constexpr double beside_a_body = 0.15;  // radii of cubes beside the sides and beyond the ends of what is no sphere
 constexpr double steepest_angle = std::numbers::pi * 80 / 180;
 const Range growths{.low = 1, .high = 2, .words = "a number from 1 to 2"};
 
@@ -23,17 +23,26 @@ MeshScene usual_mesh(const Scene& scene) {
   MeshScene mesh;
   if (scene.geometry != Geometry::block) return mesh;
   mesh.elements_per_radius = usual_elements;
-  const auto* prism = std::get_if<ProfileShape>(&scene.particle.shape);
-  if (!prism) return mesh;
-  const double half_thickness = prism->thickness / 2 / scene.particle.radius;
-  mesh.elements_per_radius = usual_elements / std::min(1.0, half_thickness);
-  mesh.fine_width = reach(scene.particle, scene.geometry) / scene.particle.radius + beside_a_prism;
-  mesh.fine_thickness = half_thickness + beside_a_prism;
+  const double radius = scene.particle.radius;
+  const auto lay = [&](double half_thickness, double sideways, double along) {
+    mesh.elements_per_radius = usual_elements / std::min(1.0, half_thickness / radius);
+    mesh.fine_width = sideways / radius + beside_a_body;
+    mesh.fine_thickness = along / radius + beside_a_body;
+  };
+  if (const auto* prism = std::get_if<ProfileShape>(&scene.particle.shape))
+    lay(prism->thickness / 2, reach(scene.particle, scene.geometry), prism->thickness / 2);
+  if (const auto* body = std::get_if<PolyhedronShape>(&scene.particle.shape)) {
+    const auto [low, high] = extent(body->vertices, 1);
+    const bool rolls = body->free_rotation && needs_both_sides_across(scene.particle);
+    lay((high - low) / 2, body->free_rotation ? reach_around(*body) : reach_along(*body, 0),
+        rolls ? reach_around(*body) : reach_along(*body, 1));
+  }
   return mesh;
 }
 
 void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh) {
-  for (const std::string key : {"fine_thickness", "fine_depth", "growth"}) refuse_elsewhere(table, key, scene.geometry);
+  for (const std::string key : {"fine_thickness", "fine_depth", "growth", "whole_across"})
+    refuse_elsewhere(table, key, scene.geometry);
   if (scene.geometry != Geometry::block) return;
   if (table.has("graded_columns"))
     table.refuse("graded_columns", "this in geometry \"block\"",
@@ -48,6 +57,12 @@ void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh
   mesh.fine_thickness = table.number("fine_thickness", within, mesh.fine_thickness);
   mesh.fine_depth = table.optional_number("fine_depth", positive());
   mesh.growth = table.number("growth", growths, mesh.growth);
+  mesh.whole_across = table.flag("whole_across", mesh.whole_across);
+  if (mesh.whole_across && !std::holds_alternative<PolyhedronShape>(scene.particle.shape))
+    table.refuse("whole_across", "true of a sphere or a prism, which is its own mirror image in y = 0",
+                 "false, or nothing; a prism that may turn about all axes is a polyhedron of its corners");
+  if (table.has("whole_across") && !mesh.whole_across && needs_both_sides_across(scene.particle))
+    table.refuse("whole_across", "false for a particle that is not its own mirror image in y = 0", "true, or nothing");
 }
 
 void refuse_elsewhere(const TomlTable& table, const std::string& key, Geometry geometry) {
@@ -73,8 +88,8 @@ void read_angle(const TomlTable& table, Geometry geometry, ParticleScene& partic
   if (!table.has("angle")) return table.knows("angle");
   if (geometry != Geometry::block)
     table.refuse("angle", "this in a scene of two dimensions", "geometry = \"block\" for a particle that comes aslant");
-  const auto* prism = std::get_if<ProfileShape>(&particle.shape);
-  if (prism && !prism->free_rotation)
+  const auto is_held = [&](const auto* body) { return body && !body->free_rotation; };
+  if (is_held(std::get_if<ProfileShape>(&particle.shape)) || is_held(std::get_if<PolyhedronShape>(&particle.shape)))
     table.refuse("angle", "this beside rotation = \"fixed\"",
                  "rotation = \"free\": a particle that comes aslant is not held");
   particle.angle = angle_from(

@@ -9,7 +9,7 @@ namespace percal {
 // a box around its path.     docs/theory/solid.md (1)
 MeshScene usual_mesh(const Scene& scene);
 
-// fine_thickness, fine_depth and growth of a block; refused in other geometries, as graded_columns is in a block.
+// fine_thickness, fine_depth, growth and whole_across of a block; refused in other geometries, as graded_columns is in a block.
 void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh);
 
 // A key that only a block has.

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "percal/scene/block_toml.hpp"
+#include "percal/scene/polyhedron_toml.hpp"
 #include "percal/scene/profile.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/sphere_toml.hpp"
@@ -69,8 +70,6 @@ Polygon cone(const TomlTable& table) {
 }
 
 Polygon points_from(const TomlTable& table, std::string& file) {
-  table.describe("vertices",
-                 {"file or array of pairs", "the name of a CSV with columns x and y, or pairs of lengths", ""});
   if (table.is_array("vertices")) return table.quantity_pairs("vertices", dimension::length, any_number());
   if (!table.has("vertices"))
     table.refuse("vertices", "no such key",
@@ -103,6 +102,19 @@ void set_outline(const TomlTable& table, const std::string& key, const Polygon& 
     table.refuse(key, error.what(), accepted);
   }
 }
+
+// rad; 0 where the table gives none.
+double orientation_from(const TomlTable& table) {
+  if (table.has("orientation"))
+    return angle_from(table, "orientation",
+                      {.low = -4 * right_angle,
+                       .high = 4 * right_angle,
+                       .words = "an angle from -360 to 360 deg with its unit, such as \"45 deg\" or \"0.5 rad\""});
+  table.knows("orientation");
+  return 0;
+}
+
+bool may_turn(const TomlTable& table) { return table.word("rotation", {"fixed", "free"}, 0) == 1; }
 
 // m
 std::optional<double> thickness_from(const TomlTable& table) {
@@ -140,16 +152,10 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
     table.refuse("shape", "\"cone\" in plane strain",
                  "a prism: \"cylinder\", \"rhombus\" or \"profile\"; a wedge is a profile of three vertices");
   if (shape == "cone" && geometry == Geometry::block)
-    table.refuse("shape", "\"cone\" in a block", "a sphere or a prism: \"rhombus\" or \"profile\"");
+    table.refuse("shape", "\"cone\" in a block",
+                 "a sphere, a prism (\"rhombus\" or \"profile\") or a polyhedron of many corners");
   ProfileShape profile;
-  if (table.has("orientation"))
-    profile.orientation =
-        angle_from(table, "orientation",
-                   {.low = -4 * right_angle,
-                    .high = 4 * right_angle,
-                    .words = "an angle from -360 to 360 deg with its unit, such as \"45 deg\" or \"0.5 rad\""});
-  else
-    table.knows("orientation");
+  profile.orientation = orientation_from(table);
   const Polygon points = shape == "rhombus" ? rhombus(table)
                          : shape == "cone"  ? cone(table)
                                             : points_from(table, profile.vertices_file);
@@ -158,7 +164,7 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
                                                              : "tip_angle";
   set_outline(table, outline_key, points, geometry, profile);
 
-  profile.free_rotation = table.word("rotation", {"fixed", "free"}, 0) == 1;
+  profile.free_rotation = may_turn(table);
   if (profile.free_rotation && geometry == Geometry::axisymmetric)
     table.refuse(
         "rotation", "\"free\" in an axisymmetric scene",
@@ -175,6 +181,20 @@ void read_profile(const TomlTable& table, const std::string& shape, Geometry geo
       density_from(table, profile.mass,
                    solid_body(profile, geometry).measure * (geometry == Geometry::axisymmetric ? 4 * right_angle : 1));
   particle.shape = std::move(profile);
+}
+
+// Sets shape, radius and density.
+void read_polyhedron(const TomlTable& table, ParticleScene& particle) {
+  PolyhedronShape body;
+  body.vertices = polyhedron_from(table, body.vertices_file);
+  body.orientation = orientation_from(table);
+  body.free_rotation = may_turn(table);
+  body.mass = mass_from(table, Geometry::block);
+  const Vertices vertices = standing(body);
+  const auto [left, right] = extent(vertices, 0);
+  particle.radius = (right - left) / 2;
+  particle.density = density_from(table, body.mass, mass_properties(convex_polyhedron(vertices)).volume);
+  particle.shape = std::move(body);
 }
 
 // m3 of a sphere; m2 of a cylinder on its side, per metre of thickness.
@@ -214,10 +234,12 @@ void read_elasticity(const TomlTable& table, const std::string& shape, Geometry 
 }  // namespace
 
 ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
-  const std::vector<std::string> shapes{"sphere", "cylinder", "profile", "rhombus", "cone"};
+  const std::vector<std::string> shapes{"sphere", "cylinder", "profile", "rhombus", "cone", "polyhedron"};
   const std::string shape = shapes[table.word("shape", shapes, 0)];
   if (shape == "cylinder" && geometry == Geometry::block)
     table.refuse("shape", "\"cylinder\" in a block", "\"sphere\"; a cylinder on its side is a profile of many corners");
+  if (shape == "polyhedron" && geometry != Geometry::block)
+    table.refuse("shape", "\"polyhedron\" in a scene of two dimensions", "the shape only beside geometry = \"block\"");
   if (shape == "cylinder" && geometry == Geometry::axisymmetric)
     table.refuse(
         "shape", "\"cylinder\" in an axisymmetric scene",
@@ -225,12 +247,23 @@ ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
         "that stands");
   ParticleScene particle;
   particle.name = table.text("name", shape);
+  if (shape == "profile" || shape == "polyhedron")
+    table.describe("vertices",
+                   {"file or array of pairs or triples",
+                    "the name of a CSV with columns x and y, or pairs of lengths; of a polyhedron with z as "
+                    "well, or of an STL file, or triples",
+                    ""});
+  if (shape != "polyhedron") refuse_keys(table, {"stl_unit"}, shape, "stl_unit only of a polyhedron from an STL file");
   if (shape == "sphere" || shape == "cylinder") {
     particle.radius = radius_from(table);
     particle.density = density_from(table, mass_from(table, geometry), round_measure(particle.radius, geometry));
     if (geometry == Geometry::block) refuse_keys(table, {"thickness"}, shape, "no thickness of a sphere");
     refuse_keys(table, {"vertices", "side", "tip_angle", "orientation", "rotation"}, shape,
                 "the keys of a round particle: radius or diameter, density or mass");
+  } else if (shape == "polyhedron") {
+    refuse_keys(table, {"radius", "diameter"}, shape, "no radius: it is half the width of the shape as it stands");
+    refuse_keys(table, {"side", "tip_angle", "thickness"}, shape, "the corners of the whole body as vertices");
+    read_polyhedron(table, particle);
   } else {
     const bool cone = shape == "cone", profile = shape == "profile";
     if (!cone)

@@ -128,7 +128,17 @@ struct ProfileShape {
   double thickness = 0;                         // m, of a prism in a block; else 0
   bool operator==(const ProfileShape&) const = default;
 };
-using ParticleShape = std::variant<RoundShape, ProfileShape>;
+// A rigid convex polyhedron in a block: x to the right, y along the block's other side, z upwards. ParticleScene::radius is half its width
+// in x, as it stands.
+struct PolyhedronShape {
+  std::string vertices_file;                    // CSV or STL they came from; may be empty
+  std::vector<std::array<double, 3>> vertices;  // m, before it is turned
+  double orientation = 0;                       // rad, by which it is turned about y, anticlockwise where y points away
+  std::optional<double> mass;                   // kg; left out: by the density
+  bool free_rotation = false;                   // free to turn and to move sideways; else straight down as it stands
+  bool operator==(const PolyhedronShape&) const = default;
+};
+using ParticleShape = std::variant<RoundShape, ProfileShape, PolyhedronShape>;
 
 // --- friction between particle and target -------------------------------------------------------------------------
 struct NoFriction {
@@ -207,6 +217,7 @@ struct MeshScene {
   double fine_thickness = 1.0;       // in particle radii, as fine_width, along y
   std::optional<double> fine_depth;  // in particle radii; left out: all of the depth
   double growth = 1.25;              // of each cell over the one before, at most
+  bool whole_across = false;         // both sides of y = 0, too
   bool operator==(const MeshScene&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "percal/math/polygon.hpp"
+#include "percal/math/polyhedron.hpp"
 #include "percal/scene/erosion_length.hpp"
 #include "percal/scene/read_scene.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -53,6 +54,12 @@ class Lines {
     for (const auto& [x, y] : points) written.push_back(fmt::format("[\"{0} {2}\", \"{1} {2}\"]", x, y, unit));
     lines_ += fmt::format("{} = [{}]\n", key, fmt::join(written, ", "));
   }
+  void triples(const char* key, const Vertices& points, const char* unit) {
+    std::vector<std::string> written;
+    for (const auto& [x, y, z] : points)
+      written.push_back(fmt::format("[\"{0} {3}\", \"{1} {3}\", \"{2} {3}\"]", x, y, z, unit));
+    lines_ += fmt::format("{} = [{}]\n", key, fmt::join(written, ", "));
+  }
   void integer(const char* key, int value) { lines_ += fmt::format("{} = {}\n", key, value); }
   void flag(const char* key, bool value) { lines_ += fmt::format("{} = {}\n", key, value); }
   const std::string& all() const { return lines_; }
@@ -76,10 +83,24 @@ void write_profile(Lines& lines, const ParticleScene& particle, const ProfileSha
   if (geometry == Geometry::plane_strain) lines.quantity("thickness", 1, "m");
 }
 
+void write_polyhedron(Lines& lines, const ParticleScene& particle, const PolyhedronShape& body) {
+  lines.word("shape", "polyhedron");
+  lines.word("name", particle.name);
+  lines.triples("vertices", body.vertices, "m");
+  lines.quantity("orientation", body.orientation, "rad");
+  lines.word("rotation", body.free_rotation ? "free" : "fixed");
+  if (body.mass)
+    lines.quantity("mass", *body.mass, "kg");
+  else
+    lines.quantity("density", particle.density, "kg/m3");
+}
+
 void write_particle(Lines& lines, const ParticleScene& particle, Geometry geometry) {
   lines.table("particle");
   if (const auto* profile = std::get_if<ProfileShape>(&particle.shape)) {
     write_profile(lines, particle, *profile, geometry);
+  } else if (const auto* body = std::get_if<PolyhedronShape>(&particle.shape)) {
+    write_polyhedron(lines, particle, *body);
   } else {
     lines.word("shape", geometry == Geometry::plane_strain ? "cylinder" : "sphere");
     lines.word("name", particle.name);
@@ -207,6 +228,7 @@ void write_mesh(Lines& lines, const MeshScene& mesh, Geometry geometry) {
   lines.number("fine_thickness", mesh.fine_thickness);
   if (mesh.fine_depth) lines.number("fine_depth", *mesh.fine_depth);
   lines.number("growth", mesh.growth);
+  lines.flag("whole_across", mesh.whole_across);
 }
 
 void write_solver(Lines& lines, const SolverScene& solver) {

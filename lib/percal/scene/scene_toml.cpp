@@ -276,6 +276,7 @@ Scene scene_from(const TomlTable& table) {
   scene.mesh = usual_mesh(scene);
   if (const auto mesh = table.optional_table("mesh")) scene.mesh = read_mesh(*mesh, scene);
   if (scene.geometry != Geometry::axisymmetric && needs_both_halves(scene.particle)) scene.mesh.whole = true;
+  if (scene.geometry == Geometry::block && needs_both_sides_across(scene.particle)) scene.mesh.whole_across = true;
   if (erosion_length(scene.target)) {
     const TomlTable erosion = target.table("erosion");
     need_elements_in_erosion_length(scene, erosion.place(erosion_length_key(erosion)));

@@ -32,8 +32,8 @@ KeyForm quantity_array_form(const Dimension& dimension, const Range& range) {
   return {"array: " + kind_of(dimension), "each element " + general_words(range), ""};
 }
 
-KeyForm quantity_pairs_form(const Dimension& dimension, const Range& range) {
-  return {"array of pairs: " + kind_of(dimension), "each number " + general_words(range), ""};
+KeyForm quantity_tuples_form(const Dimension& dimension, const Range& range, const std::string& what) {
+  return {"array of " + what + ": " + kind_of(dimension), "each number " + general_words(range), ""};
 }
 
 KeyForm integer_form(int low, int high) { return {"whole number", accepted_integer(low, high), ""}; }

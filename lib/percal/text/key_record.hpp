@@ -24,7 +24,7 @@ std::string accepted_words(const std::vector<std::string>& words);
 
 KeyForm quantity_form(const Dimension& dimension, const Range& range);
 KeyForm quantity_array_form(const Dimension& dimension, const Range& range);
-KeyForm quantity_pairs_form(const Dimension& dimension, const Range& range);
+KeyForm quantity_tuples_form(const Dimension& dimension, const Range& range, const std::string& what);  // "pairs"
 KeyForm integer_form(int low, int high);
 KeyForm word_form(const std::vector<std::string>& words);
 inline KeyForm text_form() { return {"text", "", ""}; }

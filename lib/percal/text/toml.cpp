@@ -33,16 +33,30 @@ std::vector<double> TomlTable::quantities(const std::string& key, const Dimensio
                          });
 }
 
+// `what`: "pairs".
+template <std::size_t Count>
+std::vector<std::array<double, Count>> TomlTable::quantity_tuples(const std::string& key, const Dimension& dimension,
+                                                                  const Range& range, const char* what) const {
+  const std::string accepted = std::string("an array of ") + what + ", each number " + words_of(range, dimension);
+  node_->record(key, quantity_tuples_form(dimension, range, what), true);
+  return node_->elements(key, accepted, [&](const std::string& name, const toml::node& at) {
+    const auto* tuple = at.as_array();
+    if (!tuple || tuple->size() != Count) node_->refuse(name, at, accepted);
+    std::array<double, Count> numbers{};
+    for (std::size_t k = 0; k < Count; ++k)
+      numbers[k] = node_->checked_quantity(name + "[" + std::to_string(k + 1) + "]", *tuple->get(k), dimension, range);
+    return numbers;
+  });
+}
+
 std::vector<std::array<double, 2>> TomlTable::quantity_pairs(const std::string& key, const Dimension& dimension,
                                                              const Range& range) const {
-  const std::string accepted = "an array of pairs, each number " + words_of(range, dimension);
-  node_->record(key, quantity_pairs_form(dimension, range), true);
-  return node_->elements(key, accepted, [&](const std::string& name, const toml::node& at) {
-    const auto* pair = at.as_array();
-    if (!pair || pair->size() != 2) node_->refuse(name, at, accepted);
-    return std::array{node_->checked_quantity(name + "[1]", *pair->get(0), dimension, range),
-                      node_->checked_quantity(name + "[2]", *pair->get(1), dimension, range)};
-  });
+  return quantity_tuples<2>(key, dimension, range, "pairs");
+}
+
+std::vector<std::array<double, 3>> TomlTable::quantity_triples(const std::string& key, const Dimension& dimension,
+                                                               const Range& range) const {
+  return quantity_tuples<3>(key, dimension, range, "triples");
 }
 
 std::optional<double> TomlTable::optional_number(const std::string& key, const Range& range) const {

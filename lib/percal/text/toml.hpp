@@ -40,6 +40,7 @@ class TomlTable {
   std::vector<double> quantities(const std::string& key, const Dimension&, const Range&) const;  // an array, not empty
   // An array of pairs, not empty: [["0 mm", "1 mm"], ...].
   std::vector<std::array<double, 2>> quantity_pairs(const std::string& key, const Dimension&, const Range&) const;
+  std::vector<std::array<double, 3>> quantity_triples(const std::string& key, const Dimension&, const Range&) const;
 
   double number(const std::string& key, const Range&) const;
   double number(const std::string& key, const Range&, double fallback) const;
@@ -87,6 +88,10 @@ class TomlTable {
   void finish() const;
 
  private:
+  template <std::size_t Count>
+  std::vector<std::array<double, Count>> quantity_tuples(const std::string& key, const Dimension&, const Range&,
+                                                         const char* what) const;
+
   std::shared_ptr<const Node> node_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "percal/impact/march/channel_record.hpp"
@@ -330,6 +331,7 @@ struct MarchOf {
   ImpactResult operator()(const RigidSphere&) const { return with<SphereRun>(); }
   ImpactResult operator()(const RigidPolygon&) const { return with<PolygonRun>(); }
   ImpactResult operator()(const ElasticSphere&) const { return with<ElasticSphereRun>(); }
+  ImpactResult operator()(const RigidPolyhedron&) const { throw std::logic_error("a polyhedron is a body of a block"); }
   template <class ParticleRun>
   ImpactResult with() const {
     return March<Real, ParticleRun>(problem, observer, threads).run();

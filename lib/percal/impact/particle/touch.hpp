@@ -14,7 +14,7 @@ struct Touch {
   int column = 0;
   long node = 0;
   double mass = 0;
-  double x = 0, z = 0;            // at the end of the step
+  double x = 0, y = 0, z = 0;     // at the end of the step
   double from_x = 0, from_z = 0;  // at its beginning
   // Outward: how fast the gap closes for each of the node's velocities. Of length 1, but where two sides are as near.
   double away_x = 0, away_y = 0, away_z = 0;

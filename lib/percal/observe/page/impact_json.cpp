@@ -33,7 +33,8 @@ Json mesh_to_json(const Reduction& reduction) {
           {"columns", reduction.mesh.columns},
           {"graded_columns", p.graded_columns},
           {"graded_columns_were_chosen", reduction.mesh.columns_were_chosen},
-          {"growth", reduction.mesh.growth}};
+          {"growth", reduction.mesh.growth},
+          {"computed_share", p.geometry == Geometry::block ? Json(computed_share(p)) : Json(nullptr)}};
 }
 
 Json atlas_to_json(const std::optional<AtlasDepth>& atlas) {
@@ -99,6 +100,8 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, const Scales& 
           {"smallest_step_over_first", finite(r.smallest_step)},
           {"sideways_m", finite(r.sideways * scales.radius)},
           {"turn_rad", finite(r.turn)},
+          {"across_m", r.in_space ? finite(r.in_space->across * scales.radius) : Json(nullptr)},
+          {"turn_axis", r.in_space ? Json(r.in_space->axis) : Json(nullptr)},
           {"energy_closure", finite(r.energy.closure())},
           {"cpu_s", finite(run.cpu_seconds)},
           {"reused", run.reused}};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -202,6 +203,36 @@ std::string columns_words(const Json& mesh) {
                      yes(mesh, "graded_columns_were_chosen") ? "chosen by the program" : "given", growth);
 }
 
+// "a quarter": of a block, what its planes of symmetry leave to compute.
+std::string computed_words(const Json& mesh) {
+  const auto share = number(mesh, "computed_share");
+  if (!share) return "";
+  return *share == 1     ? "all of the block: the scene is not its own mirror image"
+         : *share == 0.5 ? "a half"
+                         : "a quarter";
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+// "1.2 mm to the front, turned by 12 deg about (0.1, -0.9, 0.4)": means of runs that turn about all axes.
+std::string path_in_space_words(const Json& runs) {
+  double across = 0;
+  std::array<double, 3> turn{};  // angle times axis
+  for (const Json& run : runs) {
+    const double share = 1 / static_cast<double>(runs.size()), angle = number_or(run, "turn_rad", 0);
+    across += number_or(run, "across_m", 0) * share;
+    const auto& axis = list(run, "turn_axis");
+    for (std::size_t d = 0; d < std::min<std::size_t>(3, axis.size()); ++d)
+      if (axis[d].is_number()) turn[d] += axis[d].get<double>() * angle * share;
+  }
+  const double angle = std::hypot(turn[0], turn[1], turn[2]);
+  std::string words = length(std::abs(across), 3) + (across < 0 ? " to the front" : " to the back");
+  if (angle != 0)
+    words += fmt::format(", turned by {:.3g} deg about ({:.2g}, {:.2g}, {:.2g})", angle / degree, turn[0] / angle,
+                         turn[1] / angle, turn[2] / angle);
+  return words;
+}
+
 // "3.2 mm to the right, turned by 12 deg anticlockwise": means of the runs; nothing of a particle that went straight down.
 std::string path_words(const Json& result) {
   double sideways = 0, turn = 0;
@@ -212,7 +243,7 @@ std::string path_words(const Json& result) {
   }
   if (sideways == 0 && turn == 0) return "";
   std::string words = length(std::abs(sideways), 3) + (sideways < 0 ? " to the left" : " to the right");
-  constexpr double degree = std::numbers::pi / 180;
+  if (number(runs.front(), "across_m")) return words + ", " + path_in_space_words(runs);
   if (turn != 0)
     words +=
         fmt::format(", turned by {:.3g} deg {}", std::abs(turn) / degree, turn < 0 ? "clockwise" : "anticlockwise");
@@ -239,6 +270,7 @@ Section result_section(const Json& result) {
                           std::string("radii to the wall, ") +
                               (yes(mesh, "width_was_chosen") ? "chosen by the program" : "given")));
   row("columns", with_words(shown(number(mesh, "columns"), 6), columns_words(mesh)));
+  row("computed", computed_words(mesh));
   row("path", path_words(result));
   for (const auto& [what, value] : field_rows(result)) row(what.c_str(), value);
   row("extrapolated from", mesh_depths(result));

@@ -258,9 +258,13 @@ int nodes_in_sphere(const SolidFields<const Real>& fields, const ColumnNodes& no
 
 template <class Real>
 int nodes_in_polyhedron(const SolidFields<const Real>& fields, const ColumnNodes& nodes, const PolyhedronFace* faces,
-                        int face_count, const std::array<double, 3>& centre, int* found) {
+                        int face_count, double reach, const std::array<double, 3>& centre, int* found) {
   using V = typename VectorOf<Real>::type;
+  constexpr double rounding = 1 + 1e-5;
+  const Real farthest = Real(reach * reach * rounding);
   return list_nodes(fields, nodes, centre, found, [&](V x, V y, V z) {
+    const auto near = x * x + y * y + z * z < farthest;
+    if (!any(near)) return near;
     V least = broadcast<V>(Real(1e30));
     for (int k = 0; k < face_count; ++k) {
       const auto& n = faces[k].normal;

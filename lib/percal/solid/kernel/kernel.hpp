@@ -83,9 +83,9 @@ struct SolidKernel {
   // Writes the rows of the nodes inside a sphere of radius 1 about `centre`, in their order, and returns how many.
   int (*nodes_in_sphere)(const SolidFields<const Real>&, const ColumnNodes&, const std::array<double, 3>& centre,
                          int* found);
-  // The same of a convex polyhedron.
+  // The same of a convex polyhedron, nothing of which is further than `reach` from `centre`.
   int (*nodes_in_polyhedron)(const SolidFields<const Real>&, const ColumnNodes&, const PolyhedronFace* faces,
-                             int face_count, const std::array<double, 3>& centre, int* found);
+                             int face_count, double reach, const std::array<double, 3>& centre, int* found);
   // v += kick f/m, u += drift v for the nodes of a column that begins at `first`. Held directions are not kicked.
   void (*kick_and_drift)(const SolidFields<Real>&, long first, Rows rows, std::array<bool, 3> held, double kick,
                          double drift);

@@ -28,7 +28,8 @@ class SpaceContact {
     const auto& grid = block_.grid();
     const double reach = body_.reach() + beside_ + margin;
     along_x_ = range(grid.x, body_.sideways() - reach, body_.sideways() + reach);
-    along_y_ = range(grid.y, 0, body_.half_thickness() + beside_);
+    const auto [nearest, farthest] = body_.along_y(margin);
+    along_y_ = range(grid.y, nearest - beside_, farthest + beside_);
     const double top = body_.top() - margin, bottom = body_.tip() + margin;
     int first = rows_moving, behind = 0;
     each_column([&](int i, int j) {
@@ -70,8 +71,7 @@ class SpaceContact {
       if (touch.impulse == 0 || !touches(touch.node)) continue;
       touch.impulse = touch.rub = 0;
       touch.now = dot(away_of(touch), velocity_of(touch));
-      const PointVelocity body = body_.velocity_at(touch.x, touch.z);
-      touch.rate = touch.away_x * body.x + touch.away_z * body.z - touch.now;
+      touch.rate = dot(away_of(touch), body_.velocity_at(place_of(touch))) - touch.now;
       if (touch.rate > 0) touches_.push_back(touch);
     }
     body_.meet(touches_, columns_);
@@ -97,6 +97,7 @@ class SpaceContact {
   using Space = std::array<double, 3>;
   static double dot(const Space& a, const Space& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   static Space away_of(const Touch& touch) { return {touch.away_x, touch.away_y, touch.away_z}; }
+  static Space place_of(const Touch& touch) { return {touch.x, touch.y, touch.z}; }
   static Space at_node(const std::array<Real*, 3>& field, long node) {
     return {field[0][node], field[1][node], field[2][node]};
   }
@@ -110,9 +111,9 @@ class SpaceContact {
   // slide across it: neither its velocity nor its way out has such a component.
   void rub(double kick) {
     for (Touch& touch : touches_) {
-      const PointVelocity body = body_.velocity_at(touch.x, touch.z);
       const Space away = away_of(touch), velocity = velocity_of(touch);
-      Space sliding{body.x - velocity[0], -velocity[1], body.z - velocity[2]};
+      Space sliding = body_.velocity_at(place_of(touch));
+      for (int d = 0; d < 3; ++d) sliding[d] -= velocity[d];
       const double across = dot(sliding, away) / touch.steepness();
       for (int d = 0; d < 3; ++d) sliding[d] -= across * away[d];
       const double speed = std::sqrt(dot(sliding, sliding));
@@ -140,8 +141,7 @@ class SpaceContact {
       const std::array<double, 3> at{grid.x[i] + u[0][n], grid.y[j] + u[1][n], grid.z[k] + u[2][n]};
       const auto [gap, normal] = body_.overlap(at);
       Touch touch{.column = columns_.end, .node = n, .mass = block_.mass(i, j, k)};
-      touch.x = at[0];
-      touch.z = at[2];
+      std::tie(touch.x, touch.y, touch.z) = std::tie(at[0], at[1], at[2]);
       touch.away_x = held[0] ? 0 : normal[0];
       touch.away_y = held[1] ? 0 : normal[1];
       touch.away_z = normal[2];

@@ -11,6 +11,7 @@
 #include "percal/impact/target/constants.hpp"
 #include "percal/solid/march/contact_zone.hpp"
 #include "percal/solid/march/slabs.hpp"
+#include "percal/solid/particle/polyhedron.hpp"
 #include "percal/solid/target/contents.hpp"
 
 namespace percal {
@@ -94,8 +95,10 @@ class SolidMarch {
   }
 
   bool is_beyond_a_wall() const {
-    const auto& x = block_.grid().x;
-    return body_.sideways() > x.back() || (problem_.whole && body_.sideways() < x.front());
+    const auto beyond = [](double place, const std::vector<double>& planes) {
+      return place > planes.back() || (planes.front() < 0 && place < planes.front());
+    };
+    return beyond(body_.sideways(), block_.grid().x) || beyond(body_.across(), block_.grid().y);
   }
 
   bool goes_on() {
@@ -196,6 +199,7 @@ class SolidMarch {
     result_.end_speed = body_.speed();
     result_.sideways = body_.sideways();
     result_.turn = body_.turn();
+    result_.in_space = body_.in_space();
     result_.target_momentum = momentum(block_) * problem_.speed_factor * problem_.speed_factor / (2 * impact_energy_);
     result_.speeds_behind = layer_speeds_.at_the_end(time_, body_.speed());
     course_.judge_energy();
@@ -230,6 +234,8 @@ class SolidMarch {
 
 template <class Real>
 ImpactResult run(const Problem& problem, FrameObserver* observer, int threads) {
+  if (std::holds_alternative<RigidPolyhedron>(problem.particle))
+    return SolidMarch<Real, PolyhedronRun>(problem, observer, threads).run();
   if (std::holds_alternative<RigidPolygon>(problem.particle))
     return SolidMarch<Real, BodyRun<PrismShape>>(problem, observer, threads).run();
   return SolidMarch<Real, BodyRun<SphereShape>>(problem, observer, threads).run();

@@ -93,10 +93,10 @@ void PrismShape::turn(double angle) {
   faces_.push_back({{0, 1, 0}, half_thickness_});  // the other end is mirrored
 }
 
-SpaceOverlap PrismShape::overlap(const std::array<double, 3>& from) const {
+SpaceOverlap overlap_with(const std::vector<PolyhedronFace>& faces, const std::array<double, 3>& from) {
   SpaceOverlap nearest{.gap = std::numeric_limits<double>::infinity()};
   int as_near = 1;
-  for (const PolyhedronFace& face : faces_) {
+  for (const PolyhedronFace& face : faces) {
     const auto& n = face.normal;
     const double gap = face.offset - (n[0] * from[0] + n[1] * from[1] + n[2] * from[2]);
     if (gap > nearest.gap) continue;

@@ -1,12 +1,14 @@
-// Rigid bodies in three dimensions that move in the plane y = 0 and turn about y. They answer to what particles answer to in
+// Spheres and prisms in three dimensions, which move in the plane y = 0 and turn about y (polyhedra: polyhedron.hpp). They answer to what particles answer to in
 // impact/particle/particle.hpp; a body is a shape with a motion. Of the modelled part: a quarter or a half of the whole.
 #pragma once
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "percal/impact/particle/particle.hpp"
+#include "percal/impact/result.hpp"
 #include "percal/solid/target/block.hpp"
 
 namespace percal {
@@ -16,6 +18,10 @@ struct SpaceOverlap {
   double gap = 0;
   std::array<double, 3> normal{};
 };
+
+// Of a point as it lies from the centre of a convex polyhedron: across its nearest face; where several are as near, along the mean of
+// their normals, so that an edge pushes straight ahead.
+SpaceOverlap overlap_with(const std::vector<PolyhedronFace>& faces, const std::array<double, 3>& from);
 
 // The outline of a body, times `scale`, at this y.
 struct Section {
@@ -56,11 +62,10 @@ class PrismShape {
   template <class Real>
   int find(const SolidKernel<Real>& kernel, const SolidBlock<Real>& block, const ColumnNodes& nodes,
            const std::array<double, 3>& centre, int* found) const {
-    return kernel.nodes_in_polyhedron(block.fields(), nodes, faces_.data(), static_cast<int>(faces_.size()), centre,
-                                      found);
+    return kernel.nodes_in_polyhedron(block.fields(), nodes, faces_.data(), static_cast<int>(faces_.size()),
+                                      std::hypot(reach_, half_thickness_), centre, found);
   }
-  // Across the nearest face; where several are as near, along the mean of their normals, so that an edge pushes straight ahead.
-  SpaceOverlap overlap(const std::array<double, 3>& from) const;
+  SpaceOverlap overlap(const std::array<double, 3>& from) const { return overlap_with(faces_, from); }
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
   double reach() const { return reach_; }
@@ -83,8 +88,8 @@ class BodyRun : public NeverDeforms {
  public:
   explicit BodyRun(const Problem& problem)
       : here_{.shape = Shape(problem)},
-        mass_(share_of(problem) * here_.shape.mass(problem)),
-        inertia_(share_of(problem) * here_.shape.inertia(problem)),
+        mass_(computed_share(problem) * here_.shape.mass(problem)),
+        inertia_(computed_share(problem) * here_.shape.inertia(problem)),
         free_{.down = 1 / mass_,
               .right = Shape::may_go_sideways(problem) ? 1 / mass_ : 0,
               .spin = Shape::may_turn(problem) ? 1 / inertia_ : 0},
@@ -116,12 +121,15 @@ class BodyRun : public NeverDeforms {
   double top() const { return here_.z + here_.shape.highest(); }
   double speed() const { return motion_.down; }
   double sideways() const { return here_.x; }
+  static double across() { return 0; }
   double turn() const { return here_.angle; }
+  static std::optional<SpacePath> in_space() { return std::nullopt; }
   double reach() const { return here_.shape.reach(); }
-  double half_thickness() const { return here_.shape.half_thickness(); }
-  // In x and z; along y nothing of it moves.
-  PointVelocity velocity_at(double x, double z) const {
-    return {motion_.right + motion_.spin * (z - here_.z), motion_.down - motion_.spin * (x - here_.x)};
+  // From where to where it reaches along y. Nothing of it moves there, whatever the margin.
+  std::array<double, 2> along_y(double) const { return {0, here_.shape.half_thickness()}; }
+  std::array<double, 3> velocity_at(const std::array<double, 3>& point) const {
+    const auto [x, z] = velocity_in_plane(point[0], point[2]);
+    return {x, 0, z};
   }
   ParticleEnergy energy() const {
     const double moving = mass_ * (motion_.down * motion_.down + motion_.right * motion_.right);
@@ -147,10 +155,13 @@ class BodyRun : public NeverDeforms {
       y *= scale;
     }
     return moved_piece(outline, -shape.lowest(), {here_.x, here_.z, here_.angle},
-                       [&](double x, double z) { return velocity_at(x, z); });
+                       [&](double x, double z) { return velocity_in_plane(x, z); });
   }
 
-  static double share_of(const Problem& problem) { return problem.whole ? 0.5 : 0.25; }
+  PointVelocity velocity_in_plane(double x, double z) const {
+    return {motion_.right + motion_.spin * (z - here_.z), motion_.down - motion_.spin * (x - here_.x)};
+  }
+
   void move(Place& place, double time) const {
     place.z += motion_.down * time;
     place.x += motion_.right * time;

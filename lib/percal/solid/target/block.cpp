@@ -104,7 +104,8 @@ void SolidBlock<Real>::fill(const Problem& problem) {
   const int last_moving_row = problem.bottom == Bottom::fixed ? end_z - 1 : end_z;
   for (int i = 0; i <= end_x; ++i)
     for (int j = 0; j <= end_y; ++j) {
-      const bool at_wall = i == end_x || j == end_y || (problem.whole && i == 0);
+      const bool at_wall =
+          i == end_x || j == end_y || (problem.whole && i == 0) || (problem.block.whole_across && j == 0);
       for (int k = 0; k <= last_moving_row && !at_wall; ++k)
         fields_.inverse_mass[at(i, j, k)] = static_cast<Real>(1 / mass(i, j, k));
     }

@@ -39,7 +39,9 @@ class SolidBlock {
   double mass(int i, int j, int k) const { return share_x_[i] * share_y_[j] * share_z_[k]; }
 
   // What a plane of symmetry keeps from moving: nodes of x = 0 along x, of y = 0 along y.
-  std::array<bool, 3> held(int i, int j) const { return {i == 0 && grid_.x.front() == 0, j == 0, false}; }
+  std::array<bool, 3> held(int i, int j) const {
+    return {i == 0 && grid_.x.front() == 0, j == 0 && grid_.y.front() == 0, false};
+  }
 
   // Displacements and velocities of all nodes, to be put back to the last bit.
   std::vector<Real> motion() const;

@@ -182,10 +182,10 @@ TargetPiece cut_piece(const SolidBlock<Real>& block, const TargetSolid& solid) {
   TargetPiece piece;
   const auto& grid = block.grid();
   const auto& fields = block.fields();
-  const int rows = grid.rows();
+  const int rows = grid.rows(), middle = static_cast<int>(std::ranges::lower_bound(grid.y, 0.0) - grid.y.begin());
   for (int i = 0; i <= block.slabs(); ++i)
     for (int k = 0; k <= rows; ++k) {
-      const long n = block.at(i, 0, k);
+      const long n = block.at(i, middle, k);
       const Point u{static_cast<double>(fields.u[0][n]), -static_cast<double>(fields.u[2][n])};
       piece.position.push_back({grid.x[i] + u[0], u[1] - grid.z[k]});
       piece.displacement.push_back(u);
@@ -196,13 +196,13 @@ TargetPiece cut_piece(const SolidBlock<Real>& block, const TargetSolid& solid) {
       const int upper = i * (rows + 1) + k, beside = upper + rows + 1;
       for (const int corner : {upper + 1, beside + 1, beside, upper}) piece.corners.push_back(corner);
       piece.ends.push_back(static_cast<int>(piece.corners.size()));
-      const bool eroded = !(fields.alive[block.at(i, 0, k)] > 0);
+      const bool eroded = !(fields.alive[block.at(i, middle, k)] > 0);
       piece.eroded.push_back(eroded ? 1 : 0);
       piece.layer.push_back(layer_of(block, k));
       piece.volume.push_back((grid.x[i + 1] - grid.x[i]) * (grid.z[k + 1] - grid.z[k]));
       CellState state;
       if (!eroded) {
-        state = state_of(block, solid, i, 0, k);
+        state = state_of(block, solid, i, middle, k);
         auto& [xx, yy, zz, xy, yz, xz] = state.stress;  // of the cut: x, up, out of the plane
         std::swap(yy, zz);
         std::swap(xy, xz);

@@ -36,9 +36,10 @@ std::string further_words(const FurtherErosion& further) {
 }
 
 std::string particle_word(const Particle& particle) {
-  return std::holds_alternative<RigidSphere>(particle)    ? "rigid sphere"
-         : std::holds_alternative<RigidPolygon>(particle) ? "rigid profile"
-                                                          : "elastic sphere";
+  return std::holds_alternative<RigidSphere>(particle)       ? "rigid sphere"
+         : std::holds_alternative<RigidPolygon>(particle)    ? "rigid profile"
+         : std::holds_alternative<RigidPolyhedron>(particle) ? "rigid polyhedron"
+                                                             : "elastic sphere";
 }
 
 Json problem_to_json(const Problem& p) {
