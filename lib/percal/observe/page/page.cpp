@@ -207,9 +207,7 @@ std::string columns_words(const Json& mesh) {
 std::string computed_words(const Json& mesh) {
   const auto share = number(mesh, "computed_share");
   if (!share) return "";
-  return *share == 1     ? "all of the block: the scene is not its own mirror image"
-         : *share == 0.5 ? "a half"
-                         : "a quarter";
+  return *share == 1 ? "all of the block" : *share == 0.5 ? "a half" : "a quarter";
 }
 
 constexpr double degree = std::numbers::pi / 180;
