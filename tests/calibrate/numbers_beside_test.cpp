@@ -319,8 +319,8 @@ TEST_P(NumbersOfTheSolver, ComeBackFromShotsOfTheSolver) {
   EXPECT_FALSE(calibrate_page(json).sections.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Slow, NumbersOfTheSolver, testing::Values(RunNumber::half_speed_depth, RunNumber::channel_radius),
-                         [](const auto& made) {
+INSTANTIATE_TEST_SUITE_P(Slow, NumbersOfTheSolver,
+                         testing::Values(RunNumber::half_speed_depth, RunNumber::channel_radius), [](const auto& made) {
                            return made.param == RunNumber::channel_radius ? "Channels" : "HalfSpeed";
                          });
 
@@ -345,8 +345,8 @@ learn = ["half_speed_depth", "channel_radius"]
   ASSERT_EQ(ended.code, 0) << ended.err;
   const test::Ended predicted = run({"predict", "found", "--speed", "85m/s", "--out", "one"});
   ASSERT_EQ(predicted.code, 0) << predicted.err;
-  EXPECT_THAT(predicted.out,
-              AllOf(HasSubstr("Its depth at half the speed: "), HasSubstr("Its largest channel radius: ")));
+  EXPECT_THAT(predicted.out, AllOf(HasSubstr("Its depth at half the speed: "),
+                                   HasSubstr("Its largest channel radius: "), HasSubstr("Besides the depth")));
   const page::Json one = page::Json::parse(text_of(path("one/result.json")));
   const double radius = one["shots"][0]["channel_radius"]["value_m"], depth = one["shots"][0]["depth_m"];
   EXPECT_GT(radius, 1.59e-3);

@@ -93,22 +93,25 @@ Table shot_table(const Json& result) {
   bool knows_passage = false;
   for (const Json& shot : list(result, "shots")) knows_passage |= !at(shot, "speed_left").is_null();
   if (knows_passage) table.rows[0].push_back("passes");
-  for (const RunNumber number : numbers_beside)
-    for (const Json& shot : list(result, "shots"))
-      if (!maybe(shot, kind_of(number).key).is_null()) {
-        table.rows[0].insert(table.rows[0].end(),
-                             {kind_of(number).words, level_words(result) + " of one, " + kind_of(number).words});
-        break;
-      }
   for (const Json& shot : list(result, "shots")) {
     table.rows.push_back({text(shot, "label"), depth_words(shot), depth_interval_words(shot, "mean"),
                           depth_interval_words(shot, "shot")});
     if (knows_passage) table.rows.back().push_back(percent(number(shot, "passes_probability")));
+  }
+  return table;
+}
+
+Table numbers_table(const Json& result) {
+  Table table{
+      .caption = "Besides the depth",
+      .rows = {{"shot", "number", "value", level_words(result) + " of the mean", level_words(result) + " of one shot"}},
+      .notes = {}};
+  for (const Json& shot : list(result, "shots"))
     for (const RunNumber of : numbers_beside)
       if (const Json& beside = maybe(shot, kind_of(of).key); !beside.is_null())
-        table.rows.back().insert(table.rows.back().end(),
-                                 {value_words(beside, "value_m"), interval_words(beside, "shot_interval_m")});
-  }
+        table.rows.push_back({text(shot, "label"), kind_of(of).words, value_words(beside, "value_m"),
+                              interval_words(beside, "mean_interval_m"), interval_words(beside, "shot_interval_m")});
+  if (table.rows.size() == 1) table.rows.clear();
   return table;
 }
 
@@ -270,7 +273,10 @@ Section answer_section(const Json& result) {
   Section section{.id = "answer", .title = "Predicted", .blocks = {}, .detail = Detail::answer};
   add(section, List{texts(at(result, "findings")), Tone::warning});
   const Json& shots = list(result, "shots");
-  if (!shots.empty()) add(section, shot_table(result));
+  if (!shots.empty()) {
+    add(section, shot_table(result));
+    add(section, numbers_table(result));
+  }
   if (yes(result, "speed_was_a_range")) add(section, curve_table(result));
   if (!shots.empty()) add(section, checked_table(shots));
   return section;
