@@ -57,27 +57,20 @@ Record read_record(const std::string& path, const TomlTable& point) {
   return record;
 }
 
-// The parabola through the frames of a window, in s = (t - time)/span: depth = c_0 + c_1 s + c_2 s^2, with the covariance of c. Errors of
-// neighbouring frames go together: the first correlation of the residuals tells how many frames are worth one.
+// The parabola through the frames of a window, in s = (t - time)/span: depth = c_0 + c_1 s + c_2 s^2, with the covariance of c.
 struct Parabola {
   double time, span;
   Eigen::Vector3d c;
   Eigen::Matrix3d covariance;
+  double squares, neighbours;  // sums over the residuals: of squares, of products of neighbours
   double depth(double s) const { return c[0] + s * (c[1] + s * c[2]); }
   double speed(double s) const { return (c[1] + 2 * s * c[2]) / span; }
 };
 
-double worth_one(const Eigen::VectorXd& residuals) {
-  const auto n = residuals.size();
-  const double all = residuals.squaredNorm();
-  if (!(all > 0)) return 1;
-  const double together = std::clamp(residuals.head(n - 1).dot(residuals.tail(n - 1)) / all, 0.0, 0.9);
-  return (1 + together) / (1 - together);
-}
-
 Parabola parabola(const Record& record, int begin, int count) {
   const double first = record.time[begin], last = record.time[begin + count - 1];
-  Parabola found{.time = 0.5 * (first + last), .span = last - first, .c = {}, .covariance = {}};
+  Parabola found{
+      .time = 0.5 * (first + last), .span = last - first, .c = {}, .covariance = {}, .squares = 0, .neighbours = 0};
   Eigen::MatrixXd powers(count, 3);
   Eigen::VectorXd depth(count);
   for (int k = 0; k < count; ++k) {
@@ -87,9 +80,22 @@ Parabola parabola(const Record& record, int begin, int count) {
   }
   found.c = powers.colPivHouseholderQr().solve(depth);
   const Eigen::VectorXd residuals = depth - powers * found.c;
-  found.covariance =
-      residuals.squaredNorm() / (count - 3) * worth_one(residuals) * (powers.transpose() * powers).inverse();
+  found.covariance = residuals.squaredNorm() / (count - 3) * (powers.transpose() * powers).inverse();
+  found.squares = residuals.squaredNorm();
+  found.neighbours = residuals.head(count - 1).dot(residuals.tail(count - 1));
   return found;
+}
+
+// How many neighbouring frames are worth one, by the first correlation of the residuals, which a parabola through n of them makes 3/n less.
+double worth_one(const std::vector<Parabola>& course, int window) {
+  double squares = 0, neighbours = 0;
+  for (const Parabola& at : course) {
+    squares += at.squares;
+    neighbours += at.neighbours;
+  }
+  if (!(squares > 0)) return 1;
+  const double together = std::clamp((neighbours * window / (window - 1) / squares) + 3.0 / window, 0.0, 0.9);
+  return (1 + together) / (1 - together);
 }
 
 std::vector<Parabola> smooth_course(const Record& record) {
@@ -97,6 +103,8 @@ std::vector<Parabola> smooth_course(const Record& record) {
   const int window = std::max(fewest_in_window, static_cast<int>(std::lround(window_share * frames)));
   std::vector<Parabola> course;
   for (int begin = 0; begin + window <= frames; ++begin) course.push_back(parabola(record, begin, window));
+  const double worth = worth_one(course, window);
+  for (Parabola& at : course) at.covariance *= worth;
   return course;
 }
 
