@@ -32,10 +32,11 @@ Inversion search_at(Campaign& campaign, const IdentifyJob& job, double alpha, do
   const auto shot = [&job, alpha, strain](double log_modulus) {
     return calibration_shot(job, alpha, strain, log_modulus);
   };
-  if (job.ridge.replicates > usual_replicates)
-    return invert_modulus(means_of_runs(campaign, job, alpha, strain), options);
-  const auto root = expected_root([&](double log_modulus) { return shot(log_modulus).problem; },
-                                  std::log(job.penetration / job.calibration.radius), options.start, options.most_step);
+  const auto root =
+      job.ridge.replicates > usual_replicates
+          ? std::nullopt
+          : expected_root([&](double log_modulus) { return shot(log_modulus).problem; },
+                          std::log(job.penetration / job.calibration.radius), options.start, options.most_step);
   if (!root) return invert_modulus(means_of_runs(campaign, job, alpha, strain), options);
   options.fewest_in_line = std::max(options.fewest_in_line, 2 * job.ridge.replicates);
   begin_at(*root, job.penetration_error.value_or(0) / job.penetration, options);

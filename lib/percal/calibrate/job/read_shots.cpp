@@ -44,7 +44,7 @@ double depth_error_from(const TomlTable& block, double depth) {
 // A record's own stays where none is given.
 void take_depth_error(const TomlTable& block, MeasuredShot& shot) {
   const double given = depth_error_from(block, shot.depth);
-  if (given > 0 || block.has("depth_error")) shot.depth_error = given;
+  if (block.has("depth_error")) shot.depth_error = given;
 }
 
 void read_depth_errors(const TomlTable& block, const CsvTable& table, std::vector<MeasuredShot>& shots) {
