@@ -1,5 +1,5 @@
-# Each KERNEL/kernel_level.cpp is compiled once for each instruction level; impact/kernel/kernel.cpp picks one at start.
-set(PERCAL_KERNELS impact solid)
+# Each KERNEL/kernel_level.cpp is compiled once for each instruction level; math/instruction_level.cpp picks one at start.
+set(PERCAL_KERNELS impact solid invert)
 set(PERCAL_KERNEL_FLAGS -O3 -fno-math-errno -fno-trapping-math -Wall -Wextra -Wno-psabi)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(PERCAL_LEVELS x86_64_v2 x86_64_v3 x86_64_v4)

@@ -7,8 +7,6 @@
 
 #include "percal/atlas/expected.hpp"
 #include "percal/base/progress.hpp"
-#include "percal/math/distributions.hpp"
-#include "percal/scene/width.hpp"
 #include "percal/study/kept_ladder.hpp"
 #include "percal/text/one_value.hpp"
 
@@ -45,7 +43,7 @@ AdvisedAccuracy by_study(const AdvisedSetting& advice, const LadderOptions& ladd
   return accuracy;
 }
 
-// The scene's own mesh with as many runs as the scatter needs that the atlas knows of; nothing where it does not know, or expects the sphere to
+// The scene's own mesh with as many runs as are needed beside what the atlas knows; nothing where it does not know, or expects the sphere to
 // come near the lower face.
 std::optional<AdvisedAccuracy> by_atlas(const Scene& scene, double target_error) {
   const Scene rung =
@@ -53,20 +51,24 @@ std::optional<AdvisedAccuracy> by_atlas(const Scene& scene, double target_error)
   const Problem problem = reduce(rung).problem;
   const auto expected = expected_depth(problem);
   if (!expected) return std::nullopt;
-  const double run = normal_quantile(0.975) * std::hypot(expected->deviation, expected->noise);
-  if (expected->log_depth + run > std::log(problem.whole_depth())) return std::nullopt;
-  const double depth = std::exp(expected->log_depth) * scene.particle.radius;
-  AdvisedAccuracy accuracy = accuracy_of(advise(problem.elements_per_radius, expected->noise, target_error));
+  const AtlasDepth atlas = in_metres(*expected, scene.particle.radius);
+  if (atlas.high() > problem.whole_depth() * scene.particle.radius) return std::nullopt;
+  AdvisedAccuracy accuracy =
+      accuracy_of(advise(problem.elements_per_radius, atlas.noise, target_error, atlas.deviation));
   accuracy.time_step_factor = problem.time_step_factor;
-  accuracy.atlas = AtlasDepth{.depth = depth,
-                              .deviation = expected->deviation,
-                              .low = depth * std::exp(-run),
-                              .high = depth * std::exp(run),
-                              .width = farthest_wall};
+  accuracy.atlas = atlas;
   return accuracy;
 }
 
 }  // namespace
+
+AdvisedAccuracy by_runs_alone(const AdvisedAccuracy& by_atlas) {
+  AdvisedAccuracy accuracy =
+      accuracy_of(advise(*by_atlas.elements_per_radius, by_atlas.atlas->noise, by_atlas.target_error));
+  accuracy.time_step_factor = by_atlas.time_step_factor;
+  accuracy.atlas = by_atlas.atlas;
+  return accuracy;
+}
 
 double parse_accuracy(const std::string& text) {
   constexpr double round_off = 1e-12;

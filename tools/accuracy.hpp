@@ -16,6 +16,9 @@ double parse_accuracy(const std::string& text);
 // run, and kept.
 AdvisedAccuracy advised_accuracy(const Scene& scene, double target_error, Store& store, const Common& common);
 
+// What the atlas advised, where the runs are not to be joined with it: as many as their scatter needs.
+AdvisedAccuracy by_runs_alone(const AdvisedAccuracy& by_atlas);
+
 // The scene with the advised mesh, replicates, time step and arithmetic, where it is to be run.
 Scene with_setting(const Scene& scene, const AdvisedAccuracy& advised);
 

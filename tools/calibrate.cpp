@@ -14,7 +14,7 @@
 #include "percal/calibrate/page/page.hpp"
 #include "percal/calibrate/run_sizes.hpp"
 #include "percal/calibrate/verdict.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/text/one_value.hpp"
 
 namespace percal::tools {

@@ -7,7 +7,7 @@
 #include "colour.hpp"
 #include "percal/cluster/coordinator.hpp"
 #include "percal/cluster/worker.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 
 namespace percal::tools {
 namespace {

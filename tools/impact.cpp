@@ -85,13 +85,23 @@ Exit run_impact(const ImpactArguments& arguments, const Common& common) {
   }
   Campaign campaign(&store, common.threads);
   ImpactViews views(arguments, folder, reduction);
-  {
+  const auto run = [&] {
     Progress progress("impact", scene.replicates);
     const auto middle = static_cast<std::size_t>(middle_replicate(scene.replicates));
     found.runs =
         campaign.evaluate(replicates_of(reduction.problem, scene.replicates), &progress, {views.observer(), middle});
+    found.penetration = summarise(found.runs, reduction.problem, reduction.scales);
+  };
+  run();
+  if (accuracy && accuracy->atlas) {
+    if (against_atlas(found).empty()) {
+      found.penetration = joined(found.penetration, *accuracy->atlas);
+    } else {
+      found.accuracy = by_runs_alone(*accuracy);
+      scene = with_setting(scene, *found.accuracy);
+      run();
+    }
   }
-  found.penetration = summarise(found.runs, reduction.problem, reduction.scales);
   found.evidence =
       error_evidence(errors_asked_for(arguments), scene, reduction, found.runs, found.penetration, campaign);
   found.fields = views.fields();

@@ -59,7 +59,7 @@ Made by make_atlas.py; [theory/atlas.md](../theory/atlas.md). {checked["runs"]} 
 
 ## Calibrations that begin with it
 
-With a store that knows none of their runs. The runs are those that the emulator asked for besides, and one of every fitted shot at the best point of every hypothesis, twice: before the thorough fit and after it.
+With a store that knows none of their runs. The runs are those that the emulator asked for besides, and one of every fitted shot at the best point of every hypothesis.
 
 {calibrations}
 

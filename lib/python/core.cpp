@@ -2,7 +2,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/base/version.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/store/store.hpp"
 #include "percal/text/one_value.hpp"
 

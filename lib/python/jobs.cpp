@@ -11,7 +11,7 @@
 #include "percal/campaign/run_cost.hpp"
 #include "percal/identify/identification.hpp"
 #include "percal/identify/page/identification_json.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/scaling/page/page.hpp"
 #include "percal/sweep/page/page.hpp"
 #include "percal/sweep/sweep_runs.hpp"

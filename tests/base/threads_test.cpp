@@ -38,6 +38,30 @@ TEST(SideBySide, TheFirstExceptionEndsTheRestAndIsThrown) {
   }
 }
 
+TEST(SideBySide, CallsWithinCallsShareTheThreads) {
+  std::atomic<int> alive{0}, most{0}, done{0};
+  side_by_side(3, 4, [&](int) {
+    side_by_side(3, 8, [&](int) {
+      const int now = ++alive;
+      for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) {
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      --alive;
+      ++done;
+    });
+  });
+  EXPECT_EQ(done, 32);
+  EXPECT_LE(most, 3);
+  EXPECT_GE(most, 2);
+  // None is lost by an exception.
+  EXPECT_THROW(side_by_side(3, 4, [](int) { throw std::invalid_argument("it"); }), std::invalid_argument);
+  std::atomic<int> waiting{0};
+  side_by_side(3, 3, [&](int) {
+    ++waiting;
+    while (waiting < 3) std::this_thread::yield();
+  });
+}
+
 TEST(SideBySide, APieceWithoutMemoryBesideTheOthersIsDoneWhenTheyAreGone) {
   std::atomic<int> alive{0}, done{0};
   side_by_side(4, 50, [&](int) {

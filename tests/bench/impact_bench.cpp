@@ -22,8 +22,8 @@
 #include "bench/machine_peak.hpp"
 #include "bench/phase_sampler.hpp"
 #include "impact/setting_s.hpp"
-#include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/problem/replicates.hpp"
 
 namespace {
@@ -53,8 +53,8 @@ class Options {
  private:
   // With their defaults; graded = 0: half as many columns as elements per radius.
   inline static const std::map<std::string, double> known = {
-      {"nf", 10},    {"graded", 0}, {"depth", 45},  {"fine", 1},      {"end", 1000},
-      {"double", 0}, {"history", 0}, {"rates", 2},  {"threads", 1}, {"replicate", 0}, {"runs", 40}};
+      {"nf", 10},     {"graded", 0}, {"depth", 45},  {"fine", 1},      {"end", 1000}, {"double", 0},
+      {"history", 0}, {"rates", 2},  {"threads", 1}, {"replicate", 0}, {"runs", 40}};
   std::map<std::string, double> values_;
 };
 

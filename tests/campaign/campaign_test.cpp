@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/problem/replicates.hpp"
 #include "support/temporary_folder.hpp"
 

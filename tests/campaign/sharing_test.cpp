@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "percal/campaign/campaign.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "support/temporary_folder.hpp"
 

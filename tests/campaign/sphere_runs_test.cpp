@@ -7,7 +7,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/campaign/campaign.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/problem/domain.hpp"
 #include "percal/problem/replicates.hpp"
 #include "support/temporary_folder.hpp"

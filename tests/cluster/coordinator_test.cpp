@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "cluster/fake_slurm.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 
 namespace percal {
 namespace {

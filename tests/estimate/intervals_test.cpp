@@ -328,6 +328,27 @@ TEST(RidgeMap, ARidgeNarrowerThanTheGridIsStillABand) {
   EXPECT_GE(high, 40);
 }
 
+TEST(Threads, AnyNumberOfThemGivesTheSameBits) {
+  const auto problem = curve_problem(12, 40, 3, 2, 5);
+  const Minimum minimum = find_minima(problem, quick).front();
+  SearchOptions three = quick;
+  three.threads = 3;
+  const auto intervals = [&](const SearchOptions& options) {
+    std::vector<double> ends;
+    for (const ProfileInterval& one : profile_intervals(problem, minimum, 0.95, options))
+      ends.insert(ends.end(), {one.interval.low, one.interval.high});
+    return ends;
+  };
+  EXPECT_EQ(intervals(quick), intervals(three));
+  const auto drawn = [&](const SearchOptions& options) {
+    return bootstrap(problem, minimum, BootstrapKind::parametric, 60, 0.95, 7, options).searched;
+  };
+  EXPECT_EQ(drawn(quick), drawn(three));
+  const auto map = [&](const SearchOptions& options) { return ridge_map(problem, minimum, 0, 1, 7, options); };
+  EXPECT_EQ(map(quick).rise, map(three).rise);
+  EXPECT_EQ(map(quick).contours, map(three).contours);
+}
+
 TEST(NextExperiments, TheWidthIsThatOfAFitWithTheMeasurement) {
   auto problem = line_problem(6, 1, 1, 0.2, 5);
   problem.groups[0] = {.name = "line", .estimated = false, .fixed = 0.2};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "percal/identify/alpha_scan.hpp"
+#include "percal/identify/impacts.hpp"
 #include "percal/identify/ridge.hpp"
 
 namespace percal {
@@ -66,6 +67,39 @@ TEST(AlphaScan, WhereTheAtlasKnowsTheScatterOneRunACandidateIsEnough) {
   double sum = 0;
   for (std::size_t k = 0; k < with.size(); ++k) sum += (with[k].log_misfit - without[k].log_misfit) / 10;
   EXPECT_NEAR(sum, 0, 0.04) << "three errors of a mean of ten runs";
+}
+
+TEST(BesideTheAtlas, AShotIsRunAsOftenAsItsErrorNeeds) {
+  const auto shot = [](double width, bool beside) {
+    const IdentifyJob job = glass_into_skin(width);
+    const Scene scene = impact_scene(job, job.calibration, {1000, 15e6, 8, 0.7}, job.volumetric, 8);
+    Campaign campaign(nullptr, 2);
+    return beside ? shoot_beside_atlas(campaign, {scene}, usual_replicates, "").front()
+                  : shoot(campaign, {scene}, usual_replicates, "").front();
+  };
+  const Shooting few = shot(5, true), many = shot(5, false), unknown = shot(4.999, true);
+  EXPECT_LT(few.runs.size(), many.runs.size());
+  EXPECT_TRUE(few.penetration.is_joined);
+  EXPECT_FALSE(unknown.penetration.is_joined);
+  EXPECT_EQ(unknown.runs.size(), static_cast<std::size_t>(usual_replicates));
+  const double apart = std::log(*few.penetration.depth / *many.penetration.depth);
+  EXPECT_LT(std::abs(apart), 3 * std::hypot(*few.penetration.standard_error / *few.penetration.depth,
+                                            *many.penetration.standard_error / *many.penetration.depth));
+}
+
+TEST(BesideTheAtlas, RunsThatDoNotAgreeWithItStandAlone) {
+  const IdentifyJob job = glass_into_skin(5);
+  const Scene scene = impact_scene(job, job.calibration, {1000, 15e6, 8, 0.7}, job.volumetric, 6);
+  Campaign campaign(nullptr, 2);
+  const auto depth = shoot(campaign, {scene}, usual_replicates, "").front().penetration.depth;
+  ASSERT_TRUE(depth);
+  const auto wrong = [&](const Shooting&) {
+    return std::optional(AtlasDepth{.depth = 1.3 * *depth, .deviation = 0.01, .noise = 0.03, .width = 20});
+  };
+  const Shooting found = shoot_beside_atlas(campaign, {scene}, usual_replicates, "", wrong).front();
+  EXPECT_FALSE(found.penetration.is_joined);
+  EXPECT_EQ(found.runs.size(), static_cast<std::size_t>(usual_replicates));
+  EXPECT_EQ(*found.penetration.depth, *depth);
 }
 
 }  // namespace

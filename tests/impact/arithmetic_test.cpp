@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "impact/setting_s.hpp"
-#include "percal/impact/kernel/kernel.hpp"
 #include "percal/impact/march/march.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/problem/replicates.hpp"
 

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
+#include "percal/invert/kernel/kernel.hpp"
 #include "percal/math/draws.hpp"
 
 namespace percal {
@@ -75,6 +77,33 @@ TEST(DepthCovariance, AWeightedSumIsTheProductWithTheWeights) {
       EXPECT_NEAR(sum.gradient[j], (value(at + step) - value(at - step)) / 2e-5, 1e-6);
     }
   }
+}
+
+TEST(EmulatorKernel, HasMaternsCorrelationAndItsSlope) {
+  std::vector<double> s{0, 1e-12, 1e-3, 0.1, 1, 7, 60, 900, 1e4, 0.3, 2};
+  std::vector<double> values(s.size()), slopes(s.size());
+  emulator_kernel().matern52(s.data(), static_cast<long>(s.size()), values.data(), slopes.data());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const long double r = std::sqrt(5 * static_cast<long double>(s[i])), decay = std::exp(-r);
+    const double roundings = (4 + static_cast<double>(r)) * 0x1p-52;
+    EXPECT_NEAR(values[i], static_cast<double>((1 + r + r * r / 3) * decay), roundings * values[i]) << s[i];
+    EXPECT_NEAR(slopes[i], static_cast<double>(-(1 + r) * decay * 5 / 6), -roundings * slopes[i]) << s[i];
+  }
+  EXPECT_EQ(values[0], 1);
+  std::vector<double> alone(s.size() + 1, -1);
+  emulator_kernel().matern52(s.data(), static_cast<long>(s.size()), alone.data(), nullptr);
+  EXPECT_EQ(alone.back(), -1) << "none is written behind the last";
+  alone.pop_back();
+  EXPECT_EQ(alone, values);
+}
+
+TEST(DepthCovariance, DistancesAreScaledByTheirLengths) {
+  const Eigen::MatrixXd a = sobol_points(5, 3, 0), b = sobol_points(4, 3, 5);
+  const Eigen::Vector3d length(0.2, 1, 30);
+  const Eigen::ArrayXXd s = scaled_squared_distances(a, b, length);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 4; ++j)
+      EXPECT_NEAR(s(i, j), (a.row(i) - b.row(j)).transpose().cwiseQuotient(length).squaredNorm(), 1e-12);
 }
 
 TEST(DepthCovariance, VariancesAreItsDiagonal) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "percal/math/correlation.hpp"
 #include "percal/math/draws.hpp"
 
 namespace percal {
@@ -19,8 +18,11 @@ struct Example {
   Eigen::VectorXd values = (3 * points.col(0)).array().sin() + points.col(1).array().square();
 
   static Eigen::MatrixXd covariance(const Eigen::MatrixXd& points, double length) {
-    const Eigen::MatrixXd smooth =
-        Matern52::value(scaled_squared_distances(points, points, Eigen::Vector2d(length, 2 * length)));
+    const auto correlation = [&](Eigen::Index i, Eigen::Index j) {
+      const Eigen::Vector2d apart = (points.row(i) - points.row(j)).transpose();
+      return std::exp(-0.5 * apart.cwiseQuotient(Eigen::Vector2d(length, 2 * length)).squaredNorm());
+    };
+    const Eigen::MatrixXd smooth = Eigen::MatrixXd::NullaryExpr(points.rows(), points.rows(), correlation);
     return smooth + noise * noise * Eigen::MatrixXd::Identity(points.rows(), points.rows());
   }
   GaussianProcess process(double length = 0.7) const {
@@ -80,38 +82,6 @@ TEST(GaussianProcess, WhatIsKnownExactlyHasNoVarianceLeft) {
 
 TEST(GaussianProcess, ACovarianceThatIsNoneIsRefused) {
   EXPECT_FALSE(GaussianProcess::conditioned(Eigen::Matrix2d{{1, 2}, {2, 1}}, Eigen::Vector2d(1, 1)));
-}
-
-template <class Correlation>
-void expect_slope() {
-  for (double s : {1e-3, 0.1, 1.0, 7.0}) {
-    const double step = 1e-4 * s;
-    const auto value = [](double at) { return Correlation::value(Eigen::Array<double, 1, 1>(at))[0]; };
-    const double slope = Correlation::slope(Eigen::Array<double, 1, 1>(s))[0];
-    EXPECT_NEAR(slope, (value(s + step) - value(s - step)) / (2 * step), 1e-6 * std::abs(slope)) << s;
-  }
-}
-
-TEST(Correlation, SlopesAreDerivatives) {
-  expect_slope<SquaredExponential>();
-  expect_slope<Matern52>();
-}
-
-TEST(Correlation, AtNoDistanceItIsOneAndTheSlopeIsFinite) {
-  const Eigen::Array<double, 1, 1> nothing(0.0);
-  EXPECT_EQ(SquaredExponential::value(nothing)[0], 1);
-  EXPECT_EQ(Matern52::value(nothing)[0], 1);
-  EXPECT_DOUBLE_EQ(SquaredExponential::slope(nothing)[0], -0.5);
-  EXPECT_DOUBLE_EQ(Matern52::slope(nothing)[0], -5.0 / 6);
-}
-
-TEST(Correlation, DistancesAreScaledByTheirLengths) {
-  const Eigen::MatrixXd a = sobol_points(5, 3, 0), b = sobol_points(4, 3, 5);
-  const Eigen::Vector3d length(0.2, 1, 30);
-  const Eigen::ArrayXXd s = scaled_squared_distances(a, b, length);
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 4; ++j)
-      EXPECT_NEAR(s(i, j), (a.row(i) - b.row(j)).transpose().cwiseQuotient(length).squaredNorm(), 1e-12);
 }
 
 }  // namespace

@@ -284,10 +284,10 @@ TEST_F(ImpactPage, AdvisesToMeasureOnlyWhatGoesByRule) {
 
 TEST_F(ImpactPage, SaysWhatTheAtlasExpectsAndWhereTheRunsAreElsewhere) {
   found.accuracy = phase_alone;
-  found.accuracy->atlas = AtlasDepth{.depth = 27e-6, .deviation = 0.02, .low = 25e-6, .high = 29e-6, .width = 20};
+  found.accuracy->atlas = AtlasDepth{.depth = 27e-6, .deviation = 0.02, .noise = 0.03, .width = 20};
   EXPECT_THAT(words_of(page()),
               AllOf(HasSubstr("mesh phase and noise alone, from the atlas"),
-                    HasSubstr("The atlas expects 27 um, of 100 single runs 95 between 25 um and 29 um (its wall at "
+                    HasSubstr("The atlas expects 27 um, of 100 single runs 95 between 25.2 um and 29 um (its wall at "
                               "20 radii)"),
                     Not(HasSubstr("than these runs"))));
   found.accuracy->atlas->depth = 33e-6;
@@ -335,7 +335,8 @@ TEST_F(ImpactPage, SaysHowABodyTurnsAboutAllAxesAndWhatIsComputedOfABlock) {
 shape = "polyhedron"
 vertices = [["-1 um", "-1 um", "0 um"], ["1 um", "-0.5 um", "0 um"], ["0 um", "1 um", "0 um"], ["0.2 um", "0 um", "2 um"]]
 rotation = "free"
-)" + gold_into_skin.substr(gold_into_skin.find("density"), gold_into_skin.find("[mesh]") - gold_into_skin.find("density")));
+)" + gold_into_skin.substr(gold_into_skin.find("density"),
+                           gold_into_skin.find("[mesh]") - gold_into_skin.find("density")));
   for (Evaluation& run : found.runs)
     run.result.sideways = -2, run.result.turn = 0.5, run.result.in_space = {.across = 0.5, .axis = {0, -0.6, 0.8}};
   found.runs.back().result.turn = 0.3;

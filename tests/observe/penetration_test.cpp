@@ -97,6 +97,28 @@ TEST(Penetration, EnergySharesAreMeansAndTheWorstClosureIsKept) {
 
 TEST(Penetration, ARunWithoutAStepHasNoEnergyErrorToTellOf) { EXPECT_EQ(of({Evaluation{}}).worst_closure, 0); }
 
+TEST(Joined, IsTheMeanOfRunsAndAtlasByTheirCertainty) {
+  const AtlasDepth atlas{.depth = 26e-6, .deviation = 0.02, .noise = 0.04, .width = 20};
+  EXPECT_NEAR(joined_error(atlas, 4), 0.02 / std::sqrt(2), 1e-15) << "four runs are as sure as it is";
+  const Evaluation run = ended(Outcome::stopped, 27);
+  const Penetration four = joined(of({run, run, run, run}), atlas);
+  EXPECT_TRUE(four.is_joined);
+  EXPECT_NEAR(*four.depth, std::sqrt(26 * 27.0) * 1e-6, 1e-17);
+  EXPECT_NEAR(*four.standard_error, *four.depth * 0.02 / std::sqrt(2), 1e-17);
+  EXPECT_EQ(*four.spread, 0);
+  const Penetration one = joined(of({run}), atlas);
+  EXPECT_NEAR(std::log(*one.depth / 26e-6), std::log(27.0 / 26) / 5, 1e-12) << "a run has a quarter of its weight";
+  EXPECT_NEAR(*one.spread, *one.depth * 0.04, 1e-17) << "what the atlas says a run scatters by";
+  EXPECT_EQ(one.depths.size(), 1u);
+}
+
+TEST(Joined, TheyMayBeApartByBothHalfWidths) {
+  const AtlasDepth atlas{.depth = 26e-6, .deviation = 0.02, .noise = 0.04, .width = 20};
+  EXPECT_NEAR(allowed_apart(atlas, 4), 1.959964 * 0.04, 1e-8);
+  EXPECT_NEAR(std::log(atlas.high() / 26e-6), 1.959964 * std::hypot(0.02, 0.04), 1e-8);
+  EXPECT_NEAR(atlas.low() * atlas.high(), 26e-6 * 26e-6, 1e-24);
+}
+
 TEST(Warnings, CollisionsAndViscosityAboveHalfOfTheEnergyAreTold) {
   Evaluation run = ended(Outcome::stopped, 25);
   run.result.energy = {.elastic = 0.51, .viscosity = 0.3, .collisions = 0.19};

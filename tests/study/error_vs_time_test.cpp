@@ -238,5 +238,15 @@ TEST(ErrorCsv, HasALineForEveryRungAndAllOfTheSameLength) {
   EXPECT_EQ(rows, 9);
 }
 
+TEST(AdviceWithoutALadder, AsksForTheRunsThatScatterNeedsBesideWhatIsKnown) {
+  EXPECT_EQ(advise(10, 0.04, 0.02).replicates, 4);
+  EXPECT_NEAR(advise(10, 0.04, 0.02).error, 0.02, 1e-15);
+  const AdvisedSetting beside = advise(10, 0.04, 0.01, 0.02);
+  EXPECT_EQ(beside.replicates, 12) << "1/0.01^2 - 1/0.02^2 = 12/0.04^2";
+  EXPECT_NEAR(beside.error, 0.01, 1e-15);
+  EXPECT_EQ(advise(10, 0.04, 0.03, 0.02).replicates, 1) << "one verifies what is known well enough";
+  EXPECT_LT(advise(10, 0.04, 0.03, 0.02).error, 0.02);
+}
+
 }  // namespace
 }  // namespace percal

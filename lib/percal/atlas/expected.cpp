@@ -62,6 +62,13 @@ std::optional<ExpectedDepth> expected_depth(const Problem& problem) {
   return is_sure(expected) ? std::optional(expected) : std::nullopt;
 }
 
+AtlasDepth in_metres(const ExpectedDepth& expected, double radius) {
+  return {.depth = std::exp(expected.log_depth) * radius,
+          .deviation = expected.deviation,
+          .noise = expected.noise,
+          .width = farthest_wall};
+}
+
 std::optional<ExpectedRoot> expected_root(const std::function<Problem(double log_value)>& problem, double log_depth,
                                           double from, double farthest) {
   const Atlas* atlas = atlas_of_setting(problem(from));  // at the root the wall is to be far enough

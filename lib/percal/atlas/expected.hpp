@@ -1,11 +1,12 @@
-// What the atlas expects of an impact that is about to be run: how deep, how much one run scatters, and where a search should begin. The
-// runs decide; what was expected only says which and how many.                                    docs/theory/atlas.md
+// What the atlas expects of an impact that is about to be run: how deep, how much one run scatters, and where a search should begin.
+//                                                                                                docs/theory/atlas.md
 #pragma once
 #include <functional>
 #include <optional>
 
 #include "percal/atlas/atlas.hpp"
 #include "percal/invert/modulus.hpp"
+#include "percal/observe/penetration.hpp"
 #include "percal/problem/problem.hpp"
 
 namespace percal {
@@ -23,6 +24,9 @@ struct ExpectedDepth {
 // On the problem's own elements. Nothing where the atlas is not sure: where a run would tell more of the depth than all of its runs near by, and
 // on elements larger or smaller than any of theirs.
 std::optional<ExpectedDepth> expected_depth(const Problem& problem);
+
+// The same in SI, for a sphere of this radius in m.
+AtlasDepth in_metres(const ExpectedDepth& expected, double radius);
 
 struct ExpectedRoot {
   double log_value = 0;

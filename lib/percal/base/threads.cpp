@@ -24,13 +24,29 @@ std::vector<std::thread> threads_to_be_had(int wanted, const std::function<void(
 
 int threads_of_this_machine() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
+namespace {
+
+// Those of all calls of side_by_side in this process.
+std::atomic<int> helpers_at_work{0};
+
+// As many of the wanted ones as are left to have.
+int claim_helpers(int threads, int wanted) {
+  int others = helpers_at_work;
+  while (true) {
+    const int claimed = std::clamp(threads - 1 - others, 0, std::max(wanted, 0));
+    if (helpers_at_work.compare_exchange_weak(others, others + claimed)) return claimed;
+  }
+}
+
+}  // namespace
+
 void side_by_side(int threads, int count, const std::function<void(int)>& work) {
   std::atomic<int> next{0};
   std::exception_ptr failure;
   std::vector<int> given_back;  // for want of memory, one by each thread, which then leaves
   std::mutex mutex;
-  const int helpers_wanted = std::max(std::min(threads, count) - 1, 0);
-  given_back.reserve(static_cast<std::size_t>(helpers_wanted) + 1);
+  given_back.reserve(static_cast<std::size_t>(std::max(std::min(threads, count), 1)));
+  const int helpers_wanted = claim_helpers(threads, count - 1);
   const auto give_back = [&](int k) {
     const std::lock_guard lock(mutex);
     given_back.push_back(k);
@@ -50,7 +66,11 @@ void side_by_side(int threads, int count, const std::function<void(int)>& work) 
       }
     }
   };
-  auto helpers = threads_to_be_had(helpers_wanted, take_turns);
+  auto helpers = threads_to_be_had(helpers_wanted, [&](int k) {
+    take_turns(k);
+    --helpers_at_work;
+  });
+  helpers_at_work -= helpers_wanted - static_cast<int>(helpers.size());
   take_turns(0);
   for (auto& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);

@@ -57,8 +57,9 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
 }
 
 struct Trained {
-  FittedHypotheses fitted;  // without fits where too many runs failed
-  std::string why;          // no more runs
+  FittedHypotheses fitted;         // without fits where too many runs failed
+  std::optional<FreshRuns> fresh;  // at the best points of thorough fits, which hold there
+  std::string why;                 // no more runs
 };
 
 int count_of(const std::vector<Hypothesis>& hypotheses) { return static_cast<int>(hypotheses.size()); }
@@ -74,17 +75,11 @@ std::string why_enough(const CalibrationJob& job, const Training& training, doub
   return "";
 }
 
-// The best points of all hypotheses are run anew on the verifying mesh. Where the runs lie further from the emulator than it says, it
-// learns from them, and says true.
-bool best_points_hold(const CalibrationJob& job, const FittedHypotheses& fitted, Training& training, Campaign& campaign,
-                      const CalibrationLimits& limits, const Announce& announce) {
-  const SingleFreshRuns runs =
-      single_fresh_runs(job, fitted, training.emulators(), campaign, limits.deadline(share_for_training));
-  announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
-                       runs.worst_spread));
-  if (runs.worst_spread <= trusted_spread) return true;
-  training.add_runs(runs.problems, runs.evaluations);
-  return false;
+// Every hypothesis searched anew, side by side.
+void fit_thoroughly(const CalibrationJob& job, FittedHypotheses& fitted, const Campaign& campaign) {
+  campaign.side_by_side(count_of(job.hypotheses), [&](int k) {
+    fitted.fits[k] = fit_job(job, fitted.models[k], used_shots(job), thorough_search());
+  });
 }
 
 // Why there is nothing to fit with; empty where there is.
@@ -96,7 +91,8 @@ std::string why_hopeless(const Training& training) {
   return untold.empty() ? "too few runs came to rest for an emulator: wider bounds or more runs" : untold;
 }
 
-// Rounds of fitting and running until the emulator is surer than the data, in all the hypotheses.
+// Rounds of fitting and running until the emulator is surer than the data, in all the hypotheses. Then the best points of all are run
+// anew on the verifying mesh: where the runs lie further from the emulator than it says, it learns from them, and says true.
 Trained train(const CalibrationJob& job, Training& training, Campaign& campaign, const CalibrationLimits& limits,
               const Announce& announce) {
   training.fill_space();
@@ -135,9 +131,18 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
                          page::rough_percent(data)));
     trained.why = why_enough(job, training, worst);
     if (!trained.why.empty()) {
-      if (training.out_of_time() || checks++ == most_checks ||
-          best_points_hold(job, trained.fitted, training, campaign, limits, announce))
+      if (training.out_of_time() || checks++ == most_checks) return trained;
+      fit_thoroughly(job, trained.fitted, campaign);
+      FreshRuns fresh =
+          fresh_runs(job, trained.fitted, training.emulators(), campaign, limits.deadline(share_for_training));
+      announce(fmt::format("fresh runs at the best points lie {:.2g} of the emulator's stated errors from it",
+                           fresh.worst_spread()));
+      if (!fresh.complete()) return trained;
+      if (fresh.worst_spread() <= trusted_spread) {
+        trained.fresh = std::move(fresh);
         return trained;
+      }
+      training.add_runs(fresh.problems, fresh.evaluations);
       continue;
     }
     training.add_round(evenly(targets, most_targets), evenly(candidates, most_candidates));
@@ -169,21 +174,28 @@ void add_fresh_runs(const CalibrationJob& job, HypothesisResult& result, std::ve
   if (count > 0) result.fresh_deviation /= count;
 }
 
-// Every hypothesis, side by side; then the fresh runs of all, which have all the threads. No emulator: no shots.
+// Every hypothesis, side by side; then the fresh runs of all, where training did not end with them. No emulator: no shots.
 std::vector<HypothesisResult> read_all(const CalibrationJob& job, const std::optional<Emulators>& emulators,
-                                       Campaign& campaign, const CalibrationLimits& limits, const Announce& announce) {
-  FittedHypotheses fitted{std::vector<JobModel>(job.hypotheses.size()), std::vector<JobFit>(job.hypotheses.size())};
+                                       Trained trained, Campaign& campaign, const CalibrationLimits& limits,
+                                       const Announce& announce) {
+  FittedHypotheses& fitted = trained.fitted;
+  if (!trained.fresh) {
+    fitted.models.clear();
+    for (const Hypothesis& hypothesis : job.hypotheses)
+      fitted.models.push_back(finite_element_model(job, hypothesis, emulators, element_size(job)));
+    fitted.fits.resize(job.hypotheses.size());
+    fit_thoroughly(job, fitted, campaign);
+  }
   std::vector<HypothesisResult> results(job.hypotheses.size());
   campaign.side_by_side(count_of(job.hypotheses), [&](int k) {
-    const Hypothesis& hypothesis = job.hypotheses[k];
-    fitted.models[k] = finite_element_model(job, hypothesis, emulators, element_size(job));
-    fitted.fits[k] = fit_job(job, fitted.models[k], used_shots(job), thorough_search());
-    const JobModel without_mesh = finite_element_model(job, hypothesis, emulators, 0);
-    results[k] = read_out(job, k, fitted.models[k], without_mesh, fitted.fits[k], limits);
+    const JobModel without_mesh = finite_element_model(job, job.hypotheses[k], emulators, 0);
+    results[k] = read_out(job, k, fitted.models[k], without_mesh, fitted.fits[k], limits, campaign.threads());
   });
   for (const Hypothesis& hypothesis : job.hypotheses) announce(fmt::format("\"{}\" is fitted", hypothesis.name));
   if (!emulators) return results;
-  auto fresh = fresh_runs(job, fitted, *emulators, campaign, limits.deadline(share_for_fresh_runs));
+  if (!trained.fresh)
+    trained.fresh = fresh_runs(job, fitted, *emulators, campaign, limits.deadline(share_for_fresh_runs));
+  auto& fresh = trained.fresh->of;
   for (int k = 0; k < count_of(job.hypotheses); ++k) {
     const std::size_t missing = fitted.fits[k].shots.size() - fresh[k].size();
     if (missing > 0)
@@ -216,17 +228,18 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
   CalibrationResult result;
   std::optional<Training> training;
   std::string hopeless;
+  Trained trained;
   if (!job.shots.empty()) {
     training.emplace(job, &store, campaign, limits);
-    const Trained trained = train(job, *training, campaign, limits, announce);
+    trained = train(job, *training, campaign, limits, announce);
     training->report().stopped = trained.why;
     if (training->has_emulator()) finish_report(training->report(), training->emulators(), job.training.verify);
     result.emulator = training->report();
     if (trained.fitted.fits.empty()) hopeless = trained.why;
   }
   if (hopeless.empty())
-    result.hypotheses =
-        read_all(job, training ? std::optional(training->emulators()) : std::nullopt, campaign, limits, announce);
+    result.hypotheses = read_all(job, training ? std::optional(training->emulators()) : std::nullopt,
+                                 std::move(trained), campaign, limits, announce);
   else
     result.findings.push_back("No hypothesis was fitted: " + hopeless + ".");
   if (training && training->has_emulator()) result.shot_model = kept_model(job, training->emulators(), result);

@@ -79,58 +79,48 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
 
 }  // namespace
 
-SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
-                                  Campaign& campaign, const Campaign::Deadline& deadline) {
-  SingleFreshRuns runs;
-  std::vector<std::vector<Expected>> shots;
-  for (std::size_t k = 0; k < fitted.fits.size(); ++k) {
-    shots.push_back(expected(job, fitted, k));
-    for (const Expected& shot : shots.back()) {
-      const double mesh = shot.problem.elements_per_radius;
-      runs.problems.push_back(shot.problem);
-      runs.problems.back().elements_per_radius =
-          drawn_mesh(mesh, job.training.seed, static_cast<int>(runs.problems.size()) - 1);
-    }
-  }
-  Progress progress("runs at the best points", static_cast<long>(runs.problems.size()), deadline);
-  runs.evaluations = campaign.evaluate_by(deadline, runs.problems, &progress);
-  std::size_t i = 0;
-  for (const auto& of_hypothesis : shots) {
-    std::vector<FreshRun> fresh;
-    for (const Expected& shot : of_hypothesis)
-      if (auto found = summary(job, shot, emulators, {runs.evaluations[i++]})) fresh.push_back(std::move(*found));
-    runs.worst_spread = std::max(runs.worst_spread, spread(fresh));
-  }
-  return runs;
+bool FreshRuns::complete() const {
+  return std::ranges::all_of(evaluations, [](const auto& evaluation) { return evaluation.has_value(); });
 }
 
-std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted,
-                                              const Emulators& emulators, Campaign& campaign,
-                                              const Campaign::Deadline& deadline) {
-  const auto replicates = static_cast<std::size_t>(job.training.verify_replicates);
+double FreshRuns::worst_spread() const {
+  double worst = 0;
+  for (const auto& of_hypothesis : of) worst = std::max(worst, spread(of_hypothesis));
+  return worst;
+}
+
+FreshRuns fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
+                     Campaign& campaign, const Campaign::Deadline& deadline) {
+  const int replicates = job.training.verify_replicates;
   std::vector<std::vector<Expected>> shots;
   std::vector<std::vector<Problem>> walks;  // of every shot of every hypothesis
   for (std::size_t k = 0; k < fitted.fits.size(); ++k) {
     shots.push_back(expected(job, fitted, k));
-    for (const Expected& shot : shots.back())
-      walks.push_back(replicates_of(shot.problem, job.training.verify_replicates));
+    for (const Expected& shot : shots.back()) {
+      walks.push_back(replicates_of(shot.problem, replicates));
+      if (replicates == 1)
+        walks.back()[0].elements_per_radius =
+            drawn_mesh(shot.problem.elements_per_radius, job.training.seed, static_cast<int>(walks.size()) - 1);
+    }
   }
-  std::vector<Problem> problems;  // round by round; neighbours begin at different phases
-  for (std::size_t r = 0; r < replicates; ++r)
-    for (std::size_t w = 0; w < walks.size(); ++w) problems.push_back(walks[w][(r + w) % replicates]);
-  Progress progress("fresh runs at the best points", static_cast<long>(problems.size()), deadline);
-  const auto runs = campaign.evaluate_by(deadline, problems, &progress);
+  FreshRuns runs;  // round by round; neighbours begin at different phases
+  const auto rounds = static_cast<std::size_t>(replicates);
+  for (std::size_t r = 0; r < rounds; ++r)
+    for (std::size_t w = 0; w < walks.size(); ++w) runs.problems.push_back(walks[w][(r + w) % rounds]);
+  Progress progress("fresh runs at the best points", static_cast<long>(runs.problems.size()), deadline);
+  runs.evaluations = campaign.evaluate_by(deadline, runs.problems, &progress);
 
-  std::vector<std::vector<FreshRun>> fresh(shots.size());
+  runs.of.resize(shots.size());
   std::size_t place = 0;  // among the walks
   for (std::size_t k = 0; k < shots.size(); ++k)
     for (const Expected& shot : shots[k]) {
       std::vector<std::optional<Evaluation>> of_shot;
-      for (std::size_t i = place; i < runs.size(); i += walks.size()) of_shot.push_back(runs[i]);
-      if (auto found = summary(job, shot, emulators, of_shot)) fresh[k].push_back(std::move(*found));
+      for (std::size_t i = place; i < runs.evaluations.size(); i += walks.size())
+        of_shot.push_back(runs.evaluations[i]);
+      if (auto found = summary(job, shot, emulators, of_shot)) runs.of[k].push_back(std::move(*found));
       ++place;
     }
-  return fresh;
+  return runs;
 }
 
 double spread(const std::vector<FreshRun>& runs) {

@@ -14,21 +14,20 @@ struct FittedHypotheses {
   std::vector<JobFit> fits;
 };
 
-// The fitted shots of all hypotheses at their best points on the verifying mesh, one run each at a phase drawn by the job's seed: to
-// check the emulator by, and to learn from. No evaluation where a run would not be done by the deadline.
-struct SingleFreshRuns {
+// The fitted shots of all hypotheses at their best points on the verifying mesh: to check the emulator by, and to learn from where it
+// does not hold. One run of a shot has a phase of the mesh that the job's seed draws, several walk over it.
+struct FreshRuns {
   std::vector<Problem> problems;
-  std::vector<std::optional<Evaluation>> evaluations;
-  double worst_spread = 0;  // under the hypothesis where spread() is largest
-};
-SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
-                                  Campaign& campaign, const Campaign::Deadline& deadline);
+  std::vector<std::optional<Evaluation>> evaluations;  // none where a run would not be done by the deadline
+  std::vector<std::vector<FreshRun>> of;  // each hypothesis: its shots in order, without those that got no run
 
-// The same shots with their replicates over the mesh phase: [hypothesis][fitted shot]. Before the deadline every shot gets its first
-// replicate before any gets a second; shots that got none are left out.
-std::vector<std::vector<FreshRun>> fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted,
-                                              const Emulators& emulators, Campaign& campaign,
-                                              const Campaign::Deadline& deadline);
+  bool complete() const;
+  double worst_spread() const;  // under the hypothesis where spread() is largest
+};
+
+// Before the deadline every shot gets its first run before any gets a second.
+FreshRuns fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
+                     Campaign& campaign, const Campaign::Deadline& deadline);
 
 // The root mean square of (ln depth - ln emulated) over the emulator's stated error, noise included: 1 where that error is right. 0
 // without a run that stopped.

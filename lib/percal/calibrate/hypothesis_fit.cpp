@@ -35,26 +35,27 @@ bool told_about(const CalibrationJob& job, const JobFit& fit, std::size_t materi
   return measured && (material == 0 || job.materials[material].rate_factor);
 }
 
-std::vector<RidgeMap> ridges(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
+std::vector<RidgeMap> ridges(const CalibrationJob& job, const JobModel& model, const JobFit& fit,
+                             const SearchOptions& search) {
   std::vector<RidgeMap> maps;
   for (std::size_t m = 0; m < job.materials.size(); ++m) {
     const int mu = fitted_place(model, fit, job.materials[m].mu);
     const int strain = fitted_place(model, fit, job.materials[m].erosion_strain);
     if (told_about(job, fit, m) && mu >= 0 && strain >= 0)
-      maps.push_back(ridge_map(fit.problem, fit.best(), strain, mu, ridge_grid, quick_search()));
+      maps.push_back(ridge_map(fit.problem, fit.best(), strain, mu, ridge_grid, search));
   }
   return maps;
 }
 
 // Each shot from the fit to others.
 void add_predictions(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit,
-                     HypothesisResult& result) {
+                     const SearchOptions& search, HypothesisResult& result) {
   for (const CrossValidation& wanted : job.cross_validations)
     if (wanted.hypotheses.empty() || std::count(wanted.hypotheses.begin(), wanted.hypotheses.end(), hypothesis))
-      result.cross_validations.push_back(cross_validate(job, model, wanted, quick_search()));
+      result.cross_validations.push_back(cross_validate(job, model, wanted, search));
   for (std::size_t s = 0; s < job.sets.size(); ++s)
     if (job.sets[s].leave_one_out)
-      result.leave_one_out.push_back(leave_one_out(job, model, static_cast<int>(s), fit, quick_search()));
+      result.leave_one_out.push_back(leave_one_out(job, model, static_cast<int>(s), fit, search));
 }
 
 // Akaike's criterion for small samples (Hurvich and Tsai 1989): -2 ln L + 2 k + 2 k (k + 1)/(n - k - 1), k parameters and estimated
@@ -88,13 +89,15 @@ ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const J
 }
 
 HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobModel& model,
-                          const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits) {
+                          const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits,
+                          int threads) {
+  const SearchOptions search = quick_search(threads);
   const Hypothesis& read = job.hypotheses[hypothesis];
   HypothesisResult result;
   result.index = hypothesis;
   result.minima = fit.minima;
   for (int k : fit.of_model) result.parameters.push_back(model.of_job[k]);
-  result.intervals = region_intervals(fit.problem, fit.minima, job.level, quick_search());
+  result.intervals = region_intervals(fit.problem, fit.minima, job.level, search);
   result.combinations = combinations(fit.problem, fit.best());
   result.aicc = aicc_of(fit);
   result.verdict = verdict_of(job, hypothesis, model, fit);
@@ -123,11 +126,11 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
     if (late) left_out.push_back(what);
     return !late;
   };
-  if (in_time("cross-validation")) add_predictions(job, hypothesis, model, fit, result);
+  if (in_time("cross-validation")) add_predictions(job, hypothesis, model, fit, search, result);
   if (job.bootstrap > 0 && in_time("bootstrap"))
     result.bootstrap = bootstrap(fit.problem, fit.best(), BootstrapKind::parametric, job.bootstrap, job.level,
-                                 job.training.seed, quick_search());
-  if (in_time("ridge")) result.ridges = ridges(job, model, fit);
+                                 job.training.seed, search);
+  if (in_time("ridge")) result.ridges = ridges(job, model, fit, search);
   if (!left_out.empty()) result.findings.push_back("The budget left no time for: " + listed(left_out) + ".");
   return result;
 }

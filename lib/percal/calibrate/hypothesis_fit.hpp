@@ -10,7 +10,8 @@ namespace percal {
 // Fit, intervals, predictions, cross-validations, error budgets, advice; no runs are made. What takes long is left out, and said to
 // be, where the budget is spent.
 HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobModel& model,
-                          const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits);
+                          const JobModel& without_mesh, const JobFit& fit, const CalibrationLimits& limits,
+                          int threads);
 
 // Error of the emulator and of the data at the fitted shots, as relative standard deviations, means over the shots.
 struct ErrorSizes {

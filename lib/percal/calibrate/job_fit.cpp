@@ -8,6 +8,7 @@
 
 #include "percal/base/error.hpp"
 #include "percal/base/progress.hpp"
+#include "percal/base/threads.hpp"
 #include "percal/estimate/scatter.hpp"
 #include "percal/invert/reach.hpp"
 #include "percal/math/distributions.hpp"
@@ -103,7 +104,7 @@ double prediction_quantile(const JobFit& fit, int group, double level) {
 
 }  // namespace
 
-SearchOptions quick_search() { return {.global_evaluations = 800, .starts = 4}; }
+SearchOptions quick_search(int threads) { return {.global_evaluations = 800, .starts = 4, .threads = threads}; }
 SearchOptions thorough_search() { return {.global_evaluations = 4000, .starts = 8}; }
 
 double known_log_error(const MeasuredShot& shot, double speed_exponent) {
@@ -287,18 +288,24 @@ CrossValidationResult cross_validate(const CalibrationJob& job, const JobModel& 
 CrossValidationResult leave_one_out(const CalibrationJob& job, const JobModel& model, int set, const JobFit& full,
                                     const SearchOptions& options) {
   CrossValidationResult result{.name = "leave one out: " + job.sets[set].name};
-  const auto count = std::ranges::count_if(job.shots, [set](const MeasuredShot& shot) { return shot.set == set; });
-  Progress progress(result.name, static_cast<long>(count));
-  for (std::size_t i = 0; i < job.shots.size(); ++i) {
-    if (job.shots[i].set != set) continue;
+  std::vector<int> left_out;
+  for (const int i : all_shots(job))
+    if (job.shots[i].set == set) left_out.push_back(i);
+  const auto count = static_cast<int>(left_out.size());
+  result.shots.resize(left_out.size());
+  Progress progress(result.name, count);
+  const auto others_than = [&](int i) {
     std::vector<int> others;
-    for (std::size_t k = 0; k < job.shots.size(); ++k)
-      if (k != i && (job.shots[k].used || job.shots[k].set == set)) others.push_back(static_cast<int>(k));
-    const JobFit fit = fit_job(job, model, others, options, full.at);
-    result.fitted = static_cast<int>(others.size());
-    result.shots.push_back(shot_depths(job, model, fit, {static_cast<int>(i)})[0]);
+    for (const int k : all_shots(job))
+      if (k != i && (job.shots[k].used || job.shots[k].set == set)) others.push_back(k);
+    return others;
+  };
+  if (count > 0) result.fitted = static_cast<int>(others_than(left_out.back()).size());
+  side_by_side(options.threads, count, [&](int n) {
+    const JobFit fit = fit_job(job, model, others_than(left_out[n]), options, full.at);
+    result.shots[n] = shot_depths(job, model, fit, {left_out[n]})[0];
     progress.add();
-  }
+  });
   result.prediction = deviation("predicted", job, result.shots);
   return result;
 }

@@ -19,8 +19,8 @@ struct JobFit {
   const Minimum& best() const { return minima.front(); }
 };
 
-// What it costs to search in the rounds of training, and at the end.
-SearchOptions quick_search();
+// What it costs to search in the rounds of training, and at the end. What goes side by side does so on so many threads.
+SearchOptions quick_search(int threads = 1);
 SearchOptions thorough_search();
 
 // Global search and Ceres; from `start` (all of the model's parameters) Ceres alone. The speeds' errors count through the model's

@@ -1,6 +1,6 @@
 #include "percal/campaign/run_cost.hpp"
 
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 
 namespace percal {
 

@@ -9,8 +9,8 @@
 
 #include "percal/base/error.hpp"
 #include "percal/base/version.hpp"
-#include "percal/impact/kernel/kernel.hpp"
 #include "percal/invert/reach.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/domain.hpp"
 #include "percal/problem/replicates.hpp"

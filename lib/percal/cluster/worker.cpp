@@ -3,7 +3,7 @@
 #include "percal/base/error.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/cluster/work_folder.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/text/file.hpp"
 
 namespace percal {

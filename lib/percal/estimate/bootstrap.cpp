@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "percal/base/progress.hpp"
+#include "percal/base/threads.hpp"
 #include "percal/estimate/profile.hpp"
 #include "percal/math/draws.hpp"
 #include "percal/math/grid_convergence.hpp"
@@ -81,20 +82,23 @@ Interval percentiles(const FreeParameter& free, const VectorXd& searched, double
 }  // namespace
 
 Bootstrap bootstrap(const CalibrationProblem& problem, const Minimum& minimum, BootstrapKind kind, int replicates,
-                    double level, unsigned seed, const SearchOptions&) {
+                    double level, unsigned seed, const SearchOptions& options) {
   const Surroundings near(problem, minimum);
   const auto pools = residual_pools(near);
   const std::vector<int> free = free_parameters(problem, {});
   Draws draws(seed);
-  std::vector<VectorXd> fitted;
+  std::vector<CalibrationProblem> drawn;
+  for (int replicate = 0; replicate < replicates; ++replicate) drawn.push_back(drawn_anew(near, pools, kind, draws));
+  std::vector<FrozenFit> fits(drawn.size());
   Progress progress("bootstrap", replicates);
-  for (int replicate = 0; replicate < replicates; ++replicate) {
-    const CalibrationProblem again = drawn_anew(near, pools, kind, draws);
-    Evaluator evaluator(again);
-    const FrozenFit fit = frozen_fit(evaluator, near.weights(), minimum.searched, free);
-    if (fit.converged) fitted.push_back(fit.searched);
+  side_by_side(options.threads, replicates, [&](int replicate) {
+    Evaluator evaluator(drawn[replicate]);
+    fits[replicate] = frozen_fit(evaluator, near.weights(), minimum.searched, free);
     progress.add();
-  }
+  });
+  std::vector<VectorXd> fitted;
+  for (const FrozenFit& fit : fits)
+    if (fit.converged) fitted.push_back(fit.searched);
 
   Bootstrap result;
   result.failed = replicates - static_cast<int>(fitted.size());

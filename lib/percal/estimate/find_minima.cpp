@@ -109,7 +109,7 @@ bool connected(const CalibrationProblem& problem, const Minimum& from, const Min
   if (off(here).maxCoeff() < same_place) return true;
   if (std::abs(to.deviance - from.deviance) > barrier) return false;
 
-  Surroundings near(problem, from);
+  const Surroundings near(problem, from);
   std::vector<int> held;
   int furthest = 0;
   while (off(here).maxCoeff(&furthest) >= same_place) {

@@ -55,6 +55,7 @@ ceres::Solver::Options solver_options() {
   options.parameter_tolerance = 1e-12;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
+  options.max_num_line_search_step_size_iterations = 0;  // of bounded problems: frozen_fit() has its own way with bounds
   return options;
 }
 

@@ -89,6 +89,8 @@ struct SearchOptions {
   int global_evaluations = 4000;  // of NLopt, spread over the box
   int starts = 8;                 // of Ceres: the best separate points of the global search
   int scatter_rounds = 20;        // fixed-point rounds for scatter and model covariance
+  // Of profiles, bootstraps and ridges: above 1 the model is called from several threads at once. The numbers are the same.
+  int threads = 1;
 };
 
 // Every distinct minimum, least deviance first; never empty, but see `converged`. Global search by NLopt over the box, then Ceres

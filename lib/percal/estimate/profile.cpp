@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "percal/base/progress.hpp"
+#include "percal/base/threads.hpp"
 #include "percal/math/distributions.hpp"
 
 namespace percal {
@@ -24,7 +25,7 @@ double height(const Point& point) { return std::sqrt(std::max(point.rise, 0.0));
 
 // One walk's way of fitting and of closing in on the threshold.
 struct Walker {
-  Surroundings& surroundings;
+  const Surroundings& surroundings;
   const Path& path;
   std::vector<int> held;
   double goal;  // sqrt(threshold)
@@ -67,7 +68,7 @@ struct Walker {
 };
 
 // Ends that only another parameter's bound made: the data did not stop there.
-bool at_anothers_bound(Surroundings& surroundings, const Point& end, int parameter) {
+bool at_anothers_bound(const Surroundings& surroundings, const Point& end, int parameter) {
   const CalibrationProblem& problem = surroundings.problem();
   for (int k = 0; k < end.searched.size(); ++k)
     if (k != parameter && !surroundings.minimum().at_bound[k] && at_bound(problem, end.searched, k) != AtBound::no)
@@ -82,7 +83,8 @@ bool is_identifiable(const Interval& interval, const FreeParameter& free) {
 }
 
 // None where the minimum lies so far above the best that nothing is left to rise by.
-std::optional<ProfileInterval> interval_about(Surroundings& surroundings, int parameter, double level, double above) {
+std::optional<ProfileInterval> interval_about(const Surroundings& surroundings, int parameter, double level,
+                                              double above) {
   const auto p = static_cast<int>(surroundings.problem().parameters.size());
   const double freedom = surroundings.degrees_of_freedom(VectorXd::Unit(p, parameter));
   const double t = student_quantile((1 + level) / 2, freedom);
@@ -107,17 +109,18 @@ void join(ProfileInterval& one, const CalibrationProblem& problem) {
 }  // namespace
 
 Surroundings::Surroundings(const CalibrationProblem& problem, const Minimum& minimum)
-    : minimum_(minimum),
-      evaluator_(problem),
-      answer_(evaluator_.with_covariance(minimum.searched)),
+    : problem_(problem),
+      minimum_(minimum),
+      answer_(problem.model(minimum.searched, Want::values_and_covariance)),
       weights_(make_weights(problem.data, minimum.scatter, answer_.covariance)),
       likelihood_(
           restricted_likelihood(problem, answer_, minimum.searched, minimum.scatter, free_parameters(problem, {}))) {}
 
-Surroundings::Point Surroundings::fit_others(const VectorXd& start, const std::vector<int>& held) {
+Surroundings::Point Surroundings::fit_others(const VectorXd& start, const std::vector<int>& held) const {
   std::vector<Held> fixed;
   for (const int k : held) fixed.push_back({k, start[k]});
-  const FrozenFit fit = frozen_fit(evaluator_, weights_, start, free_parameters(problem(), fixed));
+  Evaluator evaluator(problem_);
+  const FrozenFit fit = frozen_fit(evaluator, weights_, start, free_parameters(problem(), fixed));
   return {fit.searched, fit.objective - minimum_.objective};
 }
 
@@ -132,7 +135,7 @@ double Surroundings::degrees_of_freedom(const VectorXd& weight) const {
   return std::max(1.0, 2 * variance * variance / uncertainty);
 }
 
-Walk walk(Surroundings& surroundings, const Point& start, const Path& path) {
+Walk walk(const Surroundings& surroundings, const Point& start, const Path& path) {
   std::vector<int> held = path.also_held;
   held.push_back(path.parameter);
   const Walker walker{surroundings, path, held, std::sqrt(path.threshold)};
@@ -161,7 +164,7 @@ Walk walk(Surroundings& surroundings, const Point& start, const Path& path) {
   return found;
 }
 
-Profile trace_profile(Surroundings& surroundings, int parameter, double threshold) {
+Profile trace_profile(const Surroundings& surroundings, int parameter, double threshold) {
   const Minimum& minimum = surroundings.minimum();
   const FreeParameter& free = surroundings.problem().parameters[parameter];
   const Point bottom{minimum.searched, 0};
@@ -192,15 +195,18 @@ double effective_degrees_of_freedom(const CalibrationProblem& problem, const Min
 }
 
 std::vector<ProfileInterval> profile_intervals(const CalibrationProblem& problem, const Minimum& minimum, double level,
-                                               const SearchOptions&, double above) {
-  Surroundings surroundings(problem, minimum);
-  const auto p = static_cast<int>(problem.parameters.size());
-  std::vector<ProfileInterval> intervals;
+                                               const SearchOptions& options, double above) {
+  const Surroundings surroundings(problem, minimum);
+  std::vector<std::optional<ProfileInterval>> found(problem.parameters.size());
+  const auto p = static_cast<int>(found.size());
   Progress progress("intervals", p);
-  for (int k = 0; k < p; ++k) {
+  side_by_side(options.threads, p, [&](int k) {
+    found[k] = interval_about(surroundings, k, level, above);
     progress.add();
-    if (auto one = interval_about(surroundings, k, level, above)) intervals.push_back(std::move(*one));
-  }
+  });
+  std::vector<ProfileInterval> intervals;
+  for (auto& one : found)
+    if (one) intervals.push_back(std::move(*one));
   return intervals;
 }
 
@@ -223,7 +229,7 @@ ProfileInterval region_interval(const CalibrationProblem& problem, const std::ve
   std::optional<ProfileInterval> whole;
   for (const Minimum& minimum : minima) {
     if (whole && !minimum.converged) continue;
-    Surroundings surroundings(problem, minimum);
+    const Surroundings surroundings(problem, minimum);
     auto one = interval_about(surroundings, parameter, level, above_best(minimum, minima.front()));
     if (!whole)
       whole = std::move(one);

@@ -8,16 +8,15 @@
 
 namespace percal {
 
-// A minimum with its weights frozen, so that rises of the objective can be compared.
+// A minimum with its weights frozen, so that rises of the objective can be compared. Seen from several threads at once where the model is.
 class Surroundings {
  public:
   Surroundings(const CalibrationProblem& problem, const Minimum& minimum);
 
-  const CalibrationProblem& problem() const { return evaluator_.problem(); }
+  const CalibrationProblem& problem() const { return problem_; }
   const Minimum& minimum() const { return minimum_; }
   const Weights& weights() const { return weights_; }
   const ModelAnswer& answer() const { return answer_; }  // at the minimum
-  Evaluator& evaluator() { return evaluator_; }
 
   // The rise where some parameters are held and the others fitted from `start`, whose held entries say where. Infinite where
   // the model has no answer.
@@ -25,14 +24,14 @@ class Surroundings {
     Eigen::VectorXd searched;
     double rise = 0;
   };
-  Point fit_others(const Eigen::VectorXd& start, const std::vector<int>& held);
+  Point fit_others(const Eigen::VectorXd& start, const std::vector<int>& held) const;
 
   // Satterthwaite's degrees of freedom of the variance of weight . parameters; infinite where no scatter is estimated.  (12)
   double degrees_of_freedom(const Eigen::VectorXd& weight) const;
 
  private:
+  const CalibrationProblem& problem_;
   const Minimum& minimum_;
-  Evaluator evaluator_;
   ModelAnswer answer_;
   Weights weights_;
   RestrictedLikelihood likelihood_;
@@ -50,13 +49,13 @@ struct Path {
   double threshold, deviation;
   std::vector<int> also_held;
 };
-Walk walk(Surroundings& surroundings, const Surroundings::Point& start, const Path& path);
+Walk walk(const Surroundings& surroundings, const Surroundings::Point& start, const Path& path);
 
 // From the minimum to both sides.
 struct Profile {
   ProfileInterval interval;
   Walk down, up;
 };
-Profile trace_profile(Surroundings& surroundings, int parameter, double threshold);
+Profile trace_profile(const Surroundings& surroundings, int parameter, double threshold);
 
 }  // namespace percal

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "percal/base/progress.hpp"
+#include "percal/base/threads.hpp"
 #include "percal/estimate/profile.hpp"
 #include "percal/math/distributions.hpp"
 
@@ -41,8 +42,8 @@ std::vector<int> outwards(int middle, int count) {
 }
 
 // Each point starts from its neighbour's others: along the minimum's row first, then up and down every column.
-Eigen::MatrixXd rises(Surroundings& near, const RidgeMap& map, const std::vector<double>& x,
-                      const std::vector<double>& y) {
+Eigen::MatrixXd rises(const Surroundings& near, const RidgeMap& map, const std::vector<double>& x,
+                      const std::vector<double>& y, int threads) {
   const auto columns = static_cast<int>(x.size()), rows = static_cast<int>(y.size());
   const VectorXd& bottom = near.minimum().searched;
   const int column0 = nearest(x, bottom[map.first]), row0 = nearest(y, bottom[map.second]);
@@ -56,19 +57,22 @@ Eigen::MatrixXd rises(Surroundings& near, const RidgeMap& map, const std::vector
     progress.add();
     return point.searched;
   };
-  std::vector<VectorXd> middle(columns), of_row(rows);
+  std::vector<VectorXd> middle(columns);
   for (const int column : outwards(column0, columns))
     middle[column] =
         solve(row0, column, column == column0 ? bottom : middle[column > column0 ? column - 1 : column + 1]);
-  for (int column = 0; column < columns; ++column)
+  side_by_side(threads, columns, [&](int column) {
+    std::vector<VectorXd> of_row(rows);
     for (const int row : outwards(row0, rows))
       of_row[row] = row == row0 ? middle[column] : solve(row, column, of_row[row > row0 ? row - 1 : row + 1]);
+  });
   return rise;
 }
 
 // A ridge may be much narrower than the grid. So its outline is found column by column: from the valley's floor, where only the
 // first parameter is held, up and down to the threshold.
-std::vector<std::array<double, 2>> outline(Surroundings& near, const RidgeMap& map, const Profile& along, int columns) {
+std::vector<std::array<double, 2>> outline(const Surroundings& near, const RidgeMap& map, const Profile& along,
+                                           int columns, int threads) {
   const Minimum& minimum = near.minimum();
   const auto& C = minimum.covariance;
   const int i = map.first, j = map.second;
@@ -86,17 +90,19 @@ std::vector<std::array<double, 2>> outline(Surroundings& near, const RidgeMap& m
   floor.front() = along.down.end;
   floor.back() = along.up.end;
 
+  const auto is_tip = [&](const Point& point) { return !(point.rise < map.threshold * (1 - 1e-5)); };
+  std::vector<Point> low = floor, high = floor;
+  side_by_side(threads, columns, [&](int column) {
+    if (is_tip(floor[column])) return;
+    low[column] = walk(near, floor[column], {j, -1, map.threshold, deviation, {i}}).end;
+    high[column] = walk(near, floor[column], {j, 1, map.threshold, deviation, {i}}).end;
+  });
   std::vector<std::array<double, 2>> lower, upper;
-  for (const Point& point : floor) {
-    const bool tip = !(point.rise < map.threshold * (1 - 1e-5));
-    if (tip && &point != &floor.front() && &point != &floor.back()) continue;  // two regions: the saddle between them
-    Point low = point, high = point;
-    if (!tip) {
-      low = walk(near, point, {j, -1, map.threshold, deviation, {i}}).end;
-      high = walk(near, point, {j, 1, map.threshold, deviation, {i}}).end;
-    }
-    lower.push_back({low.searched[i], low.searched[j]});
-    if (!tip) upper.push_back({high.searched[i], high.searched[j]});
+  for (int column = 0; column < columns; ++column) {
+    const bool tip = is_tip(floor[column]);
+    if (tip && column > 0 && column + 1 < columns) continue;  // two regions: the saddle between them
+    lower.push_back({low[column].searched[i], low[column].searched[j]});
+    if (!tip) upper.push_back({high[column].searched[i], high[column].searched[j]});
   }
   lower.insert(lower.end(), upper.rbegin(), upper.rend());
   lower.push_back(lower.front());
@@ -111,8 +117,8 @@ std::vector<double> natural(const FreeParameter& free, std::vector<double> value
 }  // namespace
 
 RidgeMap ridge_map(const CalibrationProblem& problem, const Minimum& minimum, int first, int second, int grid,
-                   const SearchOptions&) {
-  Surroundings near(problem, minimum);
+                   const SearchOptions& options) {
+  const Surroundings near(problem, minimum);
   const auto p = static_cast<int>(problem.parameters.size());
   const FreeParameter &across = problem.parameters[first], &upwards = problem.parameters[second];
   const double freedom =
@@ -123,10 +129,10 @@ RidgeMap ridge_map(const CalibrationProblem& problem, const Minimum& minimum, in
   map.threshold = 2 * f_quantile(confidence, 2, freedom);
   const Profile along = trace_profile(near, first, map.threshold), aside = trace_profile(near, second, map.threshold);
   const auto x = axis(across, along, grid), y = axis(upwards, aside, grid);
-  map.rise = rises(near, map, x, y);
+  map.rise = rises(near, map, x, y, options.threads);
   map.x = natural(across, x);
   map.y = natural(upwards, y);
-  map.contours.push_back(outline(near, map, along, 2 * grid));
+  map.contours.push_back(outline(near, map, along, 2 * grid, options.threads));
   for (auto& point : map.contours[0]) point = {across.natural(point[0]), upwards.natural(point[1])};
   return map;
 }

@@ -115,7 +115,7 @@ std::optional<PredictionResult> predict(Campaign& campaign, const IdentifyJob& j
     scenes.push_back(impact_scene(job, sphere, *target, set.volumetric, set.elements_per_radius));
   }
   PredictionResult result{.set = &set,
-                          .shots = shoot(campaign, scenes, set.replicates, set.system.c_str()),
+                          .shots = shoot_beside_atlas(campaign, scenes, set.replicates, set.system.c_str()),
                           .mean_deviation_from_measured = {},
                           .mean_deviation_from_reference = {}};
   const auto mean_deviation = [&](std::optional<double> PredictedShot::*other) -> std::optional<double> {

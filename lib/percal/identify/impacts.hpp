@@ -1,5 +1,7 @@
 // The impacts of an identification as scenes, and their evaluation.
 #pragma once
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "percal/campaign/campaign.hpp"
@@ -27,5 +29,13 @@ struct Shooting {
   Penetration penetration;
 };
 std::vector<Shooting> shoot(Campaign& campaign, const std::vector<Scene>& scenes, int replicates, const char* label);
+
+// The same where the atlas may bear a part: as many runs as bring the error of a depth that is joined with it to that of the replicates alone,
+// one at least. Where they do not agree with it, and of more than the usual replicates, all are made, and the depth is theirs.
+// `known`: what the atlas says of a shot.
+using KnownDepth = std::function<std::optional<AtlasDepth>(const Shooting&)>;
+std::optional<AtlasDepth> known_to_atlas(const Shooting& shot);
+std::vector<Shooting> shoot_beside_atlas(Campaign& campaign, const std::vector<Scene>& scenes, int replicates,
+                                         const char* label, const KnownDepth& known = known_to_atlas);
 
 }  // namespace percal

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -249,7 +250,11 @@ ComparedNumbers prediction_step(const IdentifyJob& job, const PredictionResult& 
                           .error = over(p.spread, scale),
                           .remark = remark});
   }
-  table.note = fmt::format("{} elements per radius, error: spread of {} runs", set.elements_per_radius, set.replicates);
+  const bool any_joined =
+      std::ranges::any_of(result.shots, [](const Shooting& shot) { return shot.penetration.is_joined; });
+  table.note = fmt::format("{} elements per radius, error: {}", set.elements_per_radius,
+                           any_joined ? "what one run scatters by; means of runs and atlas"
+                                      : fmt::format("spread of {} runs", set.replicates));
   if (result.mean_deviation_from_reference)
     table.note += fmt::format("; mean deviation from the {}'s depths {}", job.reference_name,
                               page::percent(result.mean_deviation_from_reference));

@@ -1,14 +1,15 @@
 #include "percal/invert/depth_covariance.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "percal/math/correlation.hpp"
+#include "percal/invert/kernel/kernel.hpp"
 
 namespace percal {
 namespace {
 
-using Correlation = Matern52;  // docs/theory/emulator.md says why
+static_assert(sphere_inputs <= emulator_inputs);
 
 // Below this share of its size an input's range is rounding.
 constexpr double smallest_range = 1e-9;
@@ -20,6 +21,21 @@ constexpr double loss = 4;
 
 double square(double x) { return x * x; }
 
+// Of every number of `s`: docs/theory/emulator.md (3) and its derivative.
+Eigen::ArrayXXd correlations(const Eigen::ArrayXXd& s) {
+  Eigen::ArrayXXd values(s.rows(), s.cols());
+  emulator_kernel().matern52(s.data(), s.size(), values.data(), nullptr);
+  return values;
+}
+struct CorrelationsWithSlopes {
+  Eigen::ArrayXXd values, slopes;
+};
+CorrelationsWithSlopes correlations_with_slopes(const Eigen::ArrayXXd& s) {
+  CorrelationsWithSlopes both{Eigen::ArrayXXd(s.rows(), s.cols()), Eigen::ArrayXXd(s.rows(), s.cols())};
+  emulator_kernel().matern52(s.data(), s.size(), both.values.data(), both.slopes.data());
+  return both;
+}
+
 // sum_ab W_ab (u_aj - u_bj)^2 for every column j of u; W symmetric.
 Eigen::VectorXd weighted_squared_differences(const Eigen::MatrixXd& u, const Eigen::MatrixXd& w) {
   const Eigen::VectorXd row_sums = w.rowwise().sum();
@@ -29,6 +45,16 @@ Eigen::VectorXd weighted_squared_differences(const Eigen::MatrixXd& u, const Eig
 }
 
 }  // namespace
+
+Eigen::ArrayXXd scaled_squared_distances(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                                         const Eigen::VectorXd& length) {
+  const Eigen::MatrixXd first = a * length.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd second = b * length.cwiseInverse().asDiagonal();
+  Eigen::MatrixXd squares = -2 * first * second.transpose();
+  squares.colwise() += first.rowwise().squaredNorm();
+  squares.rowwise() += second.rowwise().squaredNorm().transpose();
+  return squares.array().max(0.0);
+}
 
 LogErosionEnergy log_erosion_energy(double alpha, double strain) {
   const double stretch = 1 + strain, log_stretch = std::log1p(strain);
@@ -171,12 +197,11 @@ Eigen::MatrixXd DepthCovariance::between(const MeshPoints& a, const MeshPoints& 
   const CovarianceParameters& p = parameters_;
   const Eigen::VectorXd mesh_a = mesh_factors(a.h), mesh_b = mesh_factors(b.h);
   const Eigen::ArrayXXd plane = 1 + (a.inputs * b.inputs.transpose() + mesh_a * mesh_b.transpose()).array();
-  Eigen::ArrayXXd covariance =
-      plane_variance_ * plane +
-      square(p.amplitude) * Correlation::value(scaled_squared_distances(a.inputs, b.inputs, p.length));
+  Eigen::ArrayXXd covariance = plane_variance_ * plane + square(p.amplitude) * correlations(scaled_squared_distances(
+                                                                                   a.inputs, b.inputs, p.length));
   if (has_mesh())
     covariance += square(p.mesh_amplitude) * (mesh_a * mesh_b.transpose()).array() *
-                  Correlation::value(scaled_squared_distances(a.inputs, b.inputs, p.mesh_length));
+                  correlations(scaled_squared_distances(a.inputs, b.inputs, p.mesh_length));
   return covariance;
 }
 
@@ -200,7 +225,11 @@ WeightedCovariance::WeightedCovariance(const DepthCovariance& covariance, const 
       plane_(runs.inputs.transpose() * weights) {
   const CovarianceParameters& p = covariance.parameters_;
   const auto smooth = [&](double amplitude, const Eigen::VectorXd& w, const Eigen::VectorXd& length) {
-    return Smooth{square(amplitude), length, w, (runs.inputs * length.cwiseInverse().asDiagonal()).array()};
+    const Eigen::Index rows = w.size(), padded = (rows + emulator_lanes - 1) / emulator_lanes * emulator_lanes;
+    Smooth one{square(amplitude), length, Eigen::VectorXd::Zero(padded), Eigen::MatrixXd::Zero(padded, length.size())};
+    one.weights.head(rows) = w;
+    one.inputs.topRows(rows) = runs.inputs * length.cwiseInverse().asDiagonal();
+    return one;
   };
   own_ = smooth(p.amplitude, weights, p.length);
   const Eigen::VectorXd mesh_weights = covariance.mesh_factors(runs.h).cwiseProduct(weights);
@@ -208,17 +237,14 @@ WeightedCovariance::WeightedCovariance(const DepthCovariance& covariance, const 
   if (covariance.has_mesh()) mesh_ = smooth(p.mesh_amplitude, mesh_weights, p.mesh_length);
 }
 
-// With u in lengths ds_i/du_j = 2 (u_j - u_ij).
 void WeightedCovariance::Smooth::add_to(Sum& sum, const Eigen::VectorXd& at, double times) const {
   const Eigen::VectorXd here = at.cwiseQuotient(length);
-  Eigen::ArrayXd s = (inputs.col(0) - here[0]).square();
-  for (Eigen::Index j = 1; j < inputs.cols(); ++j) s += (inputs.col(j) - here[j]).square();
-  Eigen::ArrayXd value, slope;
-  Correlation::both(s, value, slope);
-  sum.value += factor * times * weights.dot(value.matrix());
-  const Eigen::VectorXd slopes = weights.array() * slope;
-  const Eigen::VectorXd towards = slopes.sum() * here - inputs.matrix().transpose() * slopes;
-  sum.gradient += 2 * factor * times * towards.cwiseQuotient(length);
+  std::array<double, emulator_inputs + 1> sums;
+  emulator_kernel().matern52_sums(inputs.data(), weights.data(), static_cast<int>(inputs.rows()),
+                                  static_cast<int>(inputs.cols()), here.data(), sums.data());
+  sum.value += factor * times * sums[0];
+  for (Eigen::Index j = 0; j < at.size(); ++j)
+    sum.gradient[j] += factor * times * sums[static_cast<std::size_t>(j) + 1] / length[j];
 }
 
 WeightedCovariance::Sum WeightedCovariance::at(const Eigen::VectorXd& inputs, double h) const {
@@ -235,16 +261,16 @@ CovarianceParameters DepthCovariance::contracted_gradient(const MeshPoints& runs
   const CovarianceParameters& p = parameters_;
   CovarianceParameters gradient;
   // Of sum_ab w_ab factor c(s_ab), w symmetric: by ln length.
-  const auto by_lengths = [&](const Eigen::MatrixXd& w, const Eigen::ArrayXXd& s, const Eigen::VectorXd& length) {
-    const Eigen::MatrixXd by_distance = w.array() * Correlation::slope(s);
+  const auto by_lengths = [&](const Eigen::MatrixXd& w, const Eigen::ArrayXXd& slopes, const Eigen::VectorXd& length) {
+    const Eigen::MatrixXd by_distance = w.array() * slopes;
     return Eigen::VectorXd(-2 *
                            weighted_squared_differences(runs.inputs, by_distance).cwiseQuotient(length.cwiseAbs2()));
   };
 
-  const Eigen::ArrayXXd s = scaled_squared_distances(runs.inputs, runs.inputs, p.length);
+  const auto own = correlations_with_slopes(scaled_squared_distances(runs.inputs, runs.inputs, p.length));
   const Eigen::MatrixXd smooth = square(p.amplitude) * g;
-  gradient.amplitude = 2 * (smooth.array() * Correlation::value(s)).sum();
-  gradient.length = by_lengths(smooth, s, p.length);
+  gradient.amplitude = 2 * (smooth.array() * own.values).sum();
+  gradient.length = by_lengths(smooth, own.slopes, p.length);
 
   const Eigen::ArrayXd noise_terms = g.diagonal().array() * (p.noise * runs.h.array().pow(p.noise_order)).square();
   gradient.noise = 2 * noise_terms.sum();
@@ -254,12 +280,12 @@ CovarianceParameters DepthCovariance::contracted_gradient(const MeshPoints& runs
   gradient.mesh_length.setZero(runs.inputs.cols());
   if (!has_mesh()) return gradient;
   const Eigen::VectorXd factors = mesh_factors(runs.h);
-  const Eigen::ArrayXXd mesh_s = scaled_squared_distances(runs.inputs, runs.inputs, p.mesh_length);
+  const auto of_mesh = correlations_with_slopes(scaled_squared_distances(runs.inputs, runs.inputs, p.mesh_length));
   const Eigen::MatrixXd with_factors = g.array() * (factors * factors.transpose()).array();
   const Eigen::MatrixXd mesh = square(p.mesh_amplitude) * with_factors;
-  const Eigen::MatrixXd mesh_terms = mesh.array() * Correlation::value(mesh_s);
+  const Eigen::MatrixXd mesh_terms = mesh.array() * of_mesh.values;
   gradient.mesh_amplitude = 2 * mesh_terms.sum();
-  gradient.mesh_length = by_lengths(mesh, mesh_s, p.mesh_length);
+  gradient.mesh_length = by_lengths(mesh, of_mesh.slopes, p.mesh_length);
   const Eigen::VectorXd row_sums = (mesh_terms + plane_variance_ * with_factors).rowwise().sum();
   gradient.mesh_order = 2 * row_sums.dot(runs.h.array().log().matrix());
   return gradient;

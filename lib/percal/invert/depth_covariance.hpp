@@ -24,6 +24,10 @@ Eigen::VectorXd depth_features(const SphereInputs& at);
 // Of a function with this gradient with respect to the features.
 Eigen::VectorXd by_inputs(const SphereInputs& at, const Eigen::VectorXd& by_features);
 
+// sum_j ((x_j - y_j)/length_j)^2 of every row x of `a` (n x d) with every row y of `b` (m x d): n x m. Lengths not 0.
+Eigen::ArrayXXd scaled_squared_distances(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                                         const Eigen::VectorXd& length);
+
 // The features are shifted and scaled so that those of the runs lie in [-1, 1]. Of those that never vary the first inputs_of_all keep
 // their own unit, and the others are left out. "Inputs" below are these scaled features.
 struct InputScale {
@@ -97,11 +101,11 @@ class WeightedCovariance {
   Sum at(const Eigen::VectorXd& inputs, double h) const;
 
  private:
-  // factor sum_i w_i c(s_i) with s_i the squared distance in lengths
+  // factor sum_i w_i c(s_i) with s_i the squared distance in lengths; runs are padded for the kernel
   struct Smooth {
     double factor = 0;
     Eigen::VectorXd length, weights;
-    Eigen::ArrayXXd inputs;  // of the runs, in lengths: runs x inputs
+    Eigen::MatrixXd inputs;  // of the runs, in lengths: runs x inputs
     void add_to(Sum& sum, const Eigen::VectorXd& at, double times) const;
   };
   Smooth own_, mesh_;

@@ -49,6 +49,10 @@ ErrorPart phase_part(const Penetration& penetration, const ErrorEvidence& eviden
             fmt::format("standard error of (4 d({:.4g}) - d({:.4g}))/3, {} runs on each mesh, times Student's t",
                         line->finer_elements_per_radius, line->elements_per_radius, line->replicates)};
   const int runs = static_cast<int>(penetration.depths.size());
+  if (penetration.is_joined)
+    return {
+        DepthErrorSource::mesh_phase, normal_half_width(*penetration.standard_error),
+        fmt::format("{} run{} over the mesh phase and the atlas, each by its certainty", runs, runs == 1 ? "" : "s")};
   if (evidence.noise)
     return {DepthErrorSource::mesh_phase, normal_half_width(*evidence.noise * *penetration.depth),
             fmt::format("the scene's study of error against time: what {} run{} scatter{} by on this mesh", runs,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "percal/math/distributions.hpp"
 #include "percal/math/statistics.hpp"
 
 namespace percal {
@@ -12,7 +13,8 @@ namespace percal {
 EnergyLedger mean_energy(const std::vector<EnergyLedger>& energies) {
   EnergyLedger mean;
   for (const EnergyTerm& term : energy_terms)
-    for (const EnergyLedger& energy : energies) mean.*term.share += energy.*term.share / static_cast<double>(energies.size());
+    for (const EnergyLedger& energy : energies)
+      mean.*term.share += energy.*term.share / static_cast<double>(energies.size());
   return mean;
 }
 
@@ -43,6 +45,34 @@ Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& 
   p.spread = spread;
   p.standard_error = standard_error;
   return p;
+}
+
+namespace {
+
+const double normal95 = normal_quantile(0.975);
+
+}  // namespace
+
+double AtlasDepth::low() const { return depth * std::exp(-normal95 * std::hypot(deviation, noise)); }
+double AtlasDepth::high() const { return depth * std::exp(normal95 * std::hypot(deviation, noise)); }
+
+double joined_error(const AtlasDepth& atlas, int runs) {
+  return 1 / std::sqrt(1 / (atlas.deviation * atlas.deviation) + runs / (atlas.noise * atlas.noise));
+}
+
+Penetration joined(const Penetration& of_runs, const AtlasDepth& atlas) {
+  const auto runs = static_cast<int>(of_runs.depths.size());
+  const double error = joined_error(atlas, runs), share_of_runs = error * error * runs / (atlas.noise * atlas.noise);
+  Penetration both = of_runs;
+  both.is_joined = true;
+  both.depth = atlas.depth * std::pow(*of_runs.depth / atlas.depth, share_of_runs);
+  both.standard_error = *both.depth * error;
+  if (!both.spread) both.spread = *both.depth * atlas.noise;
+  return both;
+}
+
+double allowed_apart(const AtlasDepth& atlas, int runs) {
+  return normal95 * (atlas.deviation + atlas.noise / std::sqrt(runs));
 }
 
 std::vector<std::string> warnings(const Penetration& penetration, const std::vector<Evaluation>& replicates) {

@@ -37,12 +37,32 @@ struct Penetration {
   std::vector<double> depths;            // m, of each run, deepest tip position whatever the outcome
   EnergyLedger energy;                   // mean over the runs
   double worst_closure = 0;              // largest |energy closure|
+  bool is_joined = false;                // depth and standard error are those of the runs and the atlas together
 };
 
 // Mean of every term.
 EnergyLedger mean_energy(const std::vector<EnergyLedger>& energies);
 
 Penetration summarise(const std::vector<Evaluation>& replicates, const Problem& problem, const Scales& scales);
+
+// What finished runs of other scenes say of a depth, before there is a run of it.               docs/theory/atlas.md
+struct AtlasDepth {
+  double depth = 0;      // m, the mean over the mesh phase
+  double deviation = 0;  // standard deviation of its ln
+  double noise = 0;      // of the ln of one run about it
+  double width = 0;      // radii: its own wall
+
+  // m: of 100 single runs 95 lie between.
+  double low() const;
+  double high() const;
+};
+
+// Standard deviation of ln depth where runs and atlas are joined, each by its certainty.                             (3)
+double joined_error(const AtlasDepth& atlas, int runs);
+// Of runs that all stopped.
+Penetration joined(const Penetration& of_runs, const AtlasDepth& atlas);
+// How much of ln depth the 95 % half widths of both means leave room for.
+double allowed_apart(const AtlasDepth& atlas, int runs);
 
 // Warnings that a reader of the depth needs: mixed outcomes, runs that ended for a reason of their own, collisions and
 // viscosity with most of the energy, distorted elements.

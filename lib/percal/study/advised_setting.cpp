@@ -132,17 +132,19 @@ AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double tar
   return advice;
 }
 
-AdvisedSetting advise(double elements_per_radius, double noise, double target) {
+AdvisedSetting advise(double elements_per_radius, double noise, double target, double known) {
   AdvisedSetting advice;
   advice.target = target;
-  advice.replicates = replicates_for(target, 0, noise);
+  // What runs have to bring beside what is known: 1/target^2 = 1/known^2 + 1/left^2.
+  const double left = known > target ? 1 / std::sqrt(1 / (target * target) - 1 / (known * known)) : unbounded;
+  advice.replicates = replicates_for(left, 0, noise);
   advice.is_found = advice.replicates > 0;
   if (!advice.is_found) {
     advice.why_not = why_no_number(noise);
     return advice;
   }
   advice.elements_per_radius = elements_per_radius;
-  advice.noise_error = noise / std::sqrt(advice.replicates);
+  advice.noise_error = 1 / std::sqrt(1 / (known * known) + advice.replicates / (noise * noise));
   advice.error = advice.noise_error;
   return advice;
 }

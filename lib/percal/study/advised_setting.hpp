@@ -2,6 +2,7 @@
 // scene's own mesh stays, and the error is the noise alone.
 #pragma once
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -30,7 +31,9 @@ struct AdvisedSetting {
 
 AdvisedSetting advise(const Ladder& ladder, const ErrorVsTime& study, double target);
 
-// Of a scene without a limit, one run of which is known to scatter by `noise` on its own mesh: no ladder is needed.
-AdvisedSetting advise(double elements_per_radius, double noise, double target);
+// Of a scene without a limit, one run of which is known to scatter by `noise` on its own mesh: no ladder is needed. `known`: standard
+// deviation of what is known of the depth before, and is joined with the runs.
+AdvisedSetting advise(double elements_per_radius, double noise, double target,
+                      double known = std::numeric_limits<double>::infinity());
 
 }  // namespace percal

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "percal/base/error.hpp"
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/scene/erosion_length.hpp"
 
 namespace percal {

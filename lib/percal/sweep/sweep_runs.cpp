@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "percal/impact/kernel/kernel.hpp"
+#include "percal/math/instruction_level.hpp"
 #include "percal/problem/replicates.hpp"
 #include "percal/text/sha256.hpp"
 

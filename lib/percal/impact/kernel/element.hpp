@@ -4,7 +4,7 @@
 // K/4 (J^2 - 1 - 2 ln J): docs/theory/target.md (4).
 #pragma once
 #include "percal/impact/kernel/kernel.hpp"
-#include "percal/impact/kernel/lanes.hpp"
+#include "percal/math/lanes.hpp"
 
 namespace percal::PERCAL_LEVEL {
 

@@ -230,10 +230,7 @@ struct Kernel {
   int lanes;  // rows are handled in groups of this many; arrays are padded accordingly
 };
 
-// The instruction level in use: the best that the processor has, or what the environment variable PERCAL_ISA names
-// (x86_64_v2, x86_64_v3, x86_64_v4). Results of different levels differ in their last digits.
-// Throws BadInput for a level that is unknown or that this processor lacks.
-const std::string& instruction_level();
+// Of instruction_level() (math/instruction_level.hpp).
 template <class Real>
 const Kernel<Real>& kernel();
 template <>

@@ -1,7 +1,7 @@
 // Two vectors side by side, used as if they were one number. An element is one long chain of operations, each of which waits for the one
 // before; two chains in turn fill each other's waits.                                   docs/decisions/0018-pairs-of-groups.md
 #pragma once
-#include "percal/impact/kernel/lanes.hpp"
+#include "percal/math/lanes.hpp"
 
 namespace percal::PERCAL_LEVEL {
 

@@ -1,7 +1,7 @@
 // Sums of an average over elements of one column (impact/target/averaged_erosion.hpp).
 #pragma once
-#include "percal/impact/kernel/lanes.hpp"
 #include "percal/impact/kernel/uniform_solid.hpp"
+#include "percal/math/lanes.hpp"
 
 namespace percal::PERCAL_LEVEL {
 

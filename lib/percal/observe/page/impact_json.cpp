@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "percal/math/distributions.hpp"
 #include "percal/observe/block_reach.hpp"
 #include "percal/observe/history.hpp"
 #include "percal/observe/page/depth_error.hpp"
@@ -39,8 +38,10 @@ Json mesh_to_json(const Reduction& reduction) {
 
 Json atlas_to_json(const std::optional<AtlasDepth>& atlas) {
   if (!atlas) return nullptr;
-  return {
-      {"depth_m", atlas->depth}, {"low_m", atlas->low}, {"high_m", atlas->high}, {"width_over_radius", atlas->width}};
+  return {{"depth_m", atlas->depth},
+          {"low_m", atlas->low()},
+          {"high_m", atlas->high()},
+          {"width_over_radius", atlas->width}};
 }
 
 Json ladder_to_json(const AdvisedAccuracy& advised) {
@@ -111,29 +112,11 @@ Json run_to_json(const Evaluation& run, const Problem& replicate, const Scales& 
 Json error_to_json(const ImpactFindings& f) {
   if (!f.penetration.depth) return nullptr;
   ErrorEvidence evidence = f.evidence;
-  if (f.accuracy) {
+  if (f.accuracy && !f.penetration.is_joined) {
     evidence.discretisation = f.accuracy->discretisation_error;
     evidence.noise = f.accuracy->noise_error;
   }
   return depth_error_to_json(depth_error(f.scene, f.reduction, f.penetration, evidence));
-}
-
-// The runs against what the atlas expects of them: a sentence where the 95 % intervals of both means, and what the wall may do, leave a gap.
-std::vector<std::string> words_against_atlas(const ImpactFindings& f) {
-  if (!f.accuracy || !f.accuracy->atlas || f.runs.empty()) return {};
-  const AtlasDepth& atlas = *f.accuracy->atlas;
-  const std::string expected = format_quantity(atlas.depth, dimension::length);
-  if (!f.penetration.depth)
-    return {fmt::format("The atlas expects this shot to stop at {}, and not every run did.", expected)};
-  const double depth = *f.penetration.depth, normal95 = normal_quantile(0.5 + depth_error_level / 2);
-  double allowed = normal95 * (atlas.deviation + f.accuracy->noise_error.value_or(0));
-  if (f.reduction.problem.width < atlas.width)
-    allowed +=
-        depth_error(f.scene, f.reduction, f.penetration).of(DepthErrorSource::wall).half_width.value_or(0) / depth;
-  const double apart = std::log(atlas.depth / depth);
-  if (std::abs(apart) <= allowed) return {};
-  return {fmt::format("The atlas expects {}, {:.2g} % {} than these runs, where the errors of both allow {:.2g} %.",
-                      expected, 100 * std::abs(std::expm1(apart)), apart > 0 ? "more" : "less", 100 * allowed)};
 }
 
 // What the runs say; of none: null.
@@ -149,6 +132,7 @@ Json outcome_to_json(const ImpactFindings& f) {
   return {
       {"outcome", of_a_run(word(f.penetration.outcome))},
       {"depth_m", finite(f.penetration.depth)},
+      {"depth_from", of_a_run(f.penetration.is_joined ? "runs and atlas" : "runs")},
       {"depth_spread_m", finite(f.penetration.spread)},
       {"depth_standard_error_m", finite(f.penetration.standard_error)},
       {"depth_at_least_m", finite(f.penetration.at_least)},
@@ -166,6 +150,22 @@ Json outcome_to_json(const ImpactFindings& f) {
 
 }  // namespace
 
+std::string against_atlas(const ImpactFindings& f) {
+  const AtlasDepth& atlas = *f.accuracy->atlas;
+  const std::string expected = format_quantity(atlas.depth, dimension::length);
+  if (!f.penetration.depth)
+    return fmt::format("The atlas expects this shot to stop at {}, and not every run did.", expected);
+  const double depth = *f.penetration.depth;
+  double allowed = allowed_apart(atlas, static_cast<int>(f.runs.size()));
+  if (f.reduction.problem.width < atlas.width)
+    allowed +=
+        depth_error(f.scene, f.reduction, f.penetration).of(DepthErrorSource::wall).half_width.value_or(0) / depth;
+  const double apart = std::log(atlas.depth / depth);
+  if (std::abs(apart) <= allowed) return "";
+  return fmt::format("The atlas expects {}, {:.2g} % {} than these runs, where the errors of both allow {:.2g} %.",
+                     expected, 100 * std::abs(std::expm1(apart)), apart > 0 ? "more" : "less", 100 * allowed);
+}
+
 Json impact_to_json(const ImpactFindings& f) {
   Json left_out = Json::array(), sentences = f.reduction.warnings;
   for (const LeftOut& omission : f.reduction.left_out)
@@ -176,7 +176,8 @@ Json impact_to_json(const ImpactFindings& f) {
          {warnings(f.penetration, f.runs), warnings(measures, f.runs), warnings_of_reach(f.reduction.problem, f.runs)})
       for (const std::string& warning : list) sentences.push_back(warning);
   for (const std::string& note : f.evidence.notes) sentences.push_back(note);
-  for (const std::string& words : words_against_atlas(f)) sentences.push_back(words);
+  if (f.accuracy && f.accuracy->atlas && !f.runs.empty() && !f.penetration.is_joined)
+    if (const std::string words = against_atlas(f); !words.empty()) sentences.push_back(words);
   Json result = page::result_head("impact", {{"scene", f.scene.source}, {"toml", scene_to_toml(f.scene, "")}});
   result.update(outcome_to_json(f));
   result.update(field_measures_to_json(measures, f.scene, f.reduction, f.penetration, f.runs));

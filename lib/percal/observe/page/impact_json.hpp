@@ -11,14 +11,6 @@
 
 namespace percal {
 
-// What the atlas expects of a run, before there is one.
-struct AtlasDepth {
-  double depth = 0;          // m, the mean over the mesh phase
-  double deviation = 0;      // standard deviation of its ln
-  double low = 0, high = 0;  // m, between which 95 of 100 single runs lie
-  double width = 0;          // radii: its own wall
-};
-
 // Mesh and replicates that the scene's study, or the atlas in its place, advises for an error of the depth. Errors are shares of the depth.
 struct AdvisedAccuracy {
   double target_error = 0;
@@ -53,6 +45,10 @@ struct ImpactFindings {
   std::optional<WrittenFields> fields = {};
   std::string picture = "";  // file; empty: none
 };
+
+// Why runs that the atlas advised are not to be joined with it, in a sentence: not all stopped, or the 95 % intervals of both means, and
+// what the wall may do, leave a gap. Empty where they are.
+std::string against_atlas(const ImpactFindings& findings);
 
 page::Json impact_to_json(const ImpactFindings& findings);
 

@@ -173,7 +173,8 @@ std::string error_words(const Json& result) {
 std::string runs_words(const Json& result) {
   const auto runs = list(result, "runs").size();
   if (!number(result, "depth_standard_error_m")) return shown(static_cast<double>(runs));
-  return fmt::format("{} over the mesh phase: standard error {}, a single run scatters by {}", runs,
+  return fmt::format("{} over the mesh phase{}: standard error {}, a single run scatters by {}", runs,
+                     text(result, "depth_from") == "runs and atlas" ? ", joined with the atlas" : "",
                      length(number(result, "depth_standard_error_m"), 3), length(number(result, "depth_spread_m"), 3));
 }
 

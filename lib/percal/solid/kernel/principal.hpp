@@ -1,7 +1,7 @@
 // The isochoric stress of the Ogden solid in three dimensions without an eigenvector, over V = a scalar or lanes.
 //   docs/theory/solid.md (4) to (8)
 #pragma once
-#include "percal/impact/kernel/lanes.hpp"
+#include "percal/math/lanes.hpp"
 
 namespace percal::PERCAL_LEVEL::hex {
 

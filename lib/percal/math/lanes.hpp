@@ -246,7 +246,7 @@ PERCAL_INLINE V shifted(V now, V before) {
 
 // --- log2 and exp2 --------------------------------------------------------------------------------------------------
 // Own versions: libm has no lanes, and these give every lane the same bits whatever the width. Ranges: normal numbers in,
-// |x| clamped to 126 (float) or 1022 (double) for exp2. Errors are held in tests/impact.
+// |x| clamped to 126 (float) or 1022 (double) for exp2. Errors are held in tests/math.
 template <class Real>
 struct FloatFormat;
 template <>

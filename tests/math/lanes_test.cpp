@@ -1,5 +1,5 @@
 // log2 and exp2 on scalars and lanes against libm in long double, over the ranges that the header promises.
-#include "percal/impact/kernel/lanes.hpp"
+#include "percal/math/lanes.hpp"
 
 #include <gtest/gtest.h>
 
