@@ -21,7 +21,13 @@ def calibration_row(name, found):
 # Before and after, of two builds: measured once, not by this program.
 MEASURED_ONCE = """## Without a ladder, and with fewer runs
 
-Measured once, on two shared cores of an AMD EPYC (Zen 5, AVX-512); processor time. Scene S of five_scenes.py, 10 elements per radius, at `--accuracy 2%`: 38.4 s with a ladder (37.5 s of it), 0.9 s by the atlas, 0.65 s of it the three runs that 3.0 % of scatter ask for (the ladder says 3.6 %, and four). The chain of data/guha2009/skin.toml: 330 s and 765 runs without, 246 s and 468 runs with the atlas, which leaves the 204 s of the predictions on 14 elements per radius as they are; alpha 8.55 and 8.55, erosion strain of skin 0.695 +- 0.014 and 0.695 +- 0.015. `percal invert`, five searches each, before and with the atlas:
+Measured once, on two shared cores of an AMD EPYC (Zen 5, AVX-512); processor time. Scene S of five_scenes.py, 10 elements per radius, at `--accuracy 2%`: 38.4 s with a ladder (37.5 s of it), 0.9 s where the atlas says how many runs its 3.0 % of scatter asks for (three), 0.34 s where it bears a part of the depth: one run of 0.21 s, 26.9 radii +- 1.9 % where 20 runs have 26.3 +- 0.3 and the atlas alone 27.5 +- 2.5 %. Scenes M and P: 0.49 and 0.19 s.
+
+The fit of data/guha2009/skin_consistent.toml over a full store (three hypotheses, 29 shots and 27 of them fitted, profiles, bootstrap, ridges, leave-one-out): 150 s of processor time with sums over the emulator's runs by Eigen and Ceres' search along cut steps, 83 s without that search, 25 s with the sums in lanes; 14 s of wall time on two cores, where 118 s were measured before.
+
+The chain of data/guha2009/skin.toml: 330 s and 765 runs without, 246 s and 468 runs with the atlas, which leaves the 204 s of the predictions on 14 elements per radius as they are: there one run is surer than the atlas. alpha 8.55 and 8.55, erosion strain of skin 0.695 +- 0.014 and 0.695 +- 0.015. With predictions on 10 elements per radius, those of the ridge, and two replicates the chain takes 62 s; but a depth belongs to its elements, and nine gold shots then lie 10.5 % from LS-DYNA's depths (8.5 % on 14).
+
+`percal invert`, five searches each, before and with the atlas:
 
 | depth | runs before | s | 95 % | runs | s | 95 % |
 | --- | --- | --- | --- | --- | --- | --- |
