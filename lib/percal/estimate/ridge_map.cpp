@@ -69,6 +69,22 @@ Eigen::MatrixXd rises(const Surroundings& near, const RidgeMap& map, const std::
   return rise;
 }
 
+// Ends of walks along `path` in neighbouring columns, where a fit of the others may have been caught before the threshold: a column that
+// its neighbour's end leads further goes on from there.
+void lead_on(const Surroundings& near, const Path& path, int first, const std::vector<double>& x,
+             std::vector<Point>& ends) {
+  const int j = path.parameter, columns = static_cast<int>(x.size());
+  const auto try_from = [&](int column, int neighbour) {
+    VectorXd start = ends[neighbour].searched;
+    if (path.direction * (start[j] - ends[column].searched[j]) <= 0) return;
+    start[first] = x[column];
+    const Point there = near.fit_others(start, {first, j});
+    if (there.rise < path.threshold) ends[column] = walk(near, there, path).end;
+  };
+  for (int column = 1; column < columns; ++column) try_from(column, column - 1);
+  for (int column = columns - 2; column >= 0; --column) try_from(column, column + 1);
+}
+
 // A ridge may be much narrower than the grid. So its outline is found column by column: from the valley's floor, where only the
 // first parameter is held, up and down to the threshold.
 std::vector<std::array<double, 2>> outline(const Surroundings& near, const RidgeMap& map, const Profile& along,
@@ -91,12 +107,15 @@ std::vector<std::array<double, 2>> outline(const Surroundings& near, const Ridge
   floor.back() = along.up.end;
 
   const auto is_tip = [&](const Point& point) { return !(point.rise < map.threshold * (1 - 1e-5)); };
+  const Path down{j, -1, map.threshold, deviation, {i}}, up{j, 1, map.threshold, deviation, {i}};
   std::vector<Point> low = floor, high = floor;
   side_by_side(threads, columns, [&](int column) {
     if (is_tip(floor[column])) return;
-    low[column] = walk(near, floor[column], {j, -1, map.threshold, deviation, {i}}).end;
-    high[column] = walk(near, floor[column], {j, 1, map.threshold, deviation, {i}}).end;
+    low[column] = walk(near, floor[column], down).end;
+    high[column] = walk(near, floor[column], up).end;
   });
+  lead_on(near, down, i, x, low);
+  lead_on(near, up, i, x, high);
   std::vector<std::array<double, 2>> lower, upper;
   for (int column = 0; column < columns; ++column) {
     const bool tip = is_tip(floor[column]);
