@@ -380,7 +380,7 @@ that error. "Within": the whole effect, (12) without t, is within the rule; "or 
 
 {table(["source", "change", "scenes", "mean, %", "r.m.s., %", "error, %", "rule, %", "within", "or by error", "worst"], rows)}
 
-Wall and K go by the rules of axisymmetric scenes. Their rule for the time step, {percent(STEP_OF_ROUND, ".0f")}, would hold {sum(whole <= STEP_OF_ROUND for whole, _ in steps)} of these, or {sum(less <= STEP_OF_ROUND for _, less in steps)} by error: coarse cubes feel the step twice as much, and a block's own rule was chosen on these scenes. The step goes with the element's size: on more cubes it is smaller.
+Wall and K go by the rules of axisymmetric scenes. Their rule for the time step, {percent(STEP_OF_ROUND, ".0f")}, would hold {sum(whole <= STEP_OF_ROUND for whole, _ in steps)} of these, or {sum(less <= STEP_OF_ROUND for _, less in steps)} by error: here half the step does twice what it did there, and a block's own rule was chosen on these scenes. More cubes were not tried.
 """
 
 
