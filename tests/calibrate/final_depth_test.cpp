@@ -3,11 +3,11 @@
 
 #include "calibrate/beside_law.hpp"
 #include "calibrate/law_checks.hpp"
+#include "calibrate/shots_of_the_solver.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/kept_model.hpp"
 #include "percal/calibrate/page/page.hpp"
-#include "percal/campaign/campaign.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/predict/predictor.hpp"
 #include "support/ball_job.hpp"
@@ -18,11 +18,11 @@
 namespace percal::final_depth_tests {
 namespace {
 
+using test::true_gel;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr double element = 0.1, shot_scatter = 0.06;
-const std::vector<double> true_gel{200e3, 8, 0.8};
 
 class FinalDepthJob : public test::Program {
  protected:
@@ -178,12 +178,8 @@ class FinalDepthCoverage : public testing::TestWithParam<DugOut> {};
 // the modulus, and of single shots.
 TEST_P(FinalDepthCoverage, IntervalsHoldTheTruth) {
   const Emulators emulators = emulators_of_final_depths();
-  int held = 0, within = 0, all = 0;
-  for (int t = 0; t < 100; ++t) {
-    std::vector<double> natural = true_gel;
-    natural[0] *= std::exp(0.5 * (t / 50.0 - 1));
-    CalibrationJob job = dug_out(natural, GetParam().shots, 100 + static_cast<unsigned>(t));
-    job.hypotheses[0].held = {{1, 8.0}, {2, 0.8}};
+  const auto held = test::held_of_100_moduli(emulators, element, {1, 3}, [](const auto& natural, unsigned seed) {
+    CalibrationJob job = dug_out(natural, GetParam().shots, seed);
     if (GetParam().one_scatter)
       for (MeasuredShot& shot : job.shots) shot.group = 0;
     for (const int k : {4, 6}) {
@@ -194,21 +190,13 @@ TEST_P(FinalDepthCoverage, IntervalsHoldTheTruth) {
       shot.datum = shot.depth > cut ? ShotDatum::at_least : ShotDatum::at_most;
       shot.depth = cut;
     }
-    job.shots[1].used = job.shots[3].used = false;
-    const JobModel model = finite_element_model(job, job.hypotheses[0], emulators, element);
-    const JobFit fit = fit_job(job, model, used_shots(job), quick_search());
-    const auto intervals = region_intervals(fit.problem, fit.minima, 0.95, quick_search());
-    if (!intervals.empty()) held += intervals[0].interval.low <= natural[0] && natural[0] <= intervals[0].interval.high;
-    for (const ShotDepth& depth : shot_depths(job, model, fit, {1, 3})) {
-      within += depth.low <= job.shots[depth.shot].depth && job.shots[depth.shot].depth <= depth.high;
-      ++all;
-    }
-  }
-  RecordProperty("held", held);
-  RecordProperty("within", within);
-  EXPECT_GE(held, 89);
-  EXPECT_LE(held, 99);
-  EXPECT_GE(within, 0.89 * all);
+    return job;
+  });
+  RecordProperty("held", held.moduli);
+  RecordProperty("within", held.shots);
+  EXPECT_GE(held.moduli, 89);
+  EXPECT_LE(held.moduli, 99);
+  EXPECT_GE(held.shots, 0.89 * held.of_shots);
 }
 
 INSTANTIATE_TEST_SUITE_P(Slow, FinalDepthCoverage, testing::Values(DugOut{12, true}, DugOut{24, false}),
@@ -220,28 +208,14 @@ INSTANTIATE_TEST_SUITE_P(Slow, FinalDepthCoverage, testing::Values(DugOut{12, tr
 
 // Steel into a narrow layer on a coarse mesh, made by the solver as means over its phase and dug out: the modulus comes back.
 TEST(SlowFinalDepth, ComesBackFromShotsOfTheSolver) {
-  test::TemporaryFolder folder;
-  Store store(folder.path("percal.store"));
-  Campaign campaign(&store, 0);
-  CalibrationJob job = test::gel_job(6);
-  job.groups = {{"final depths", true, 0}};
-  job.hypotheses[0].held = {{1, 8.0}, {2, 0.8}};
-  job.training = {.coarse = 3, .fine = 3, .verify = 3, .initial = 60, .batch = 30, .most = 240};
-  job.bootstrap = 0;
+  test::OwnCampaign own;
+  CalibrationJob job = test::steel_balls_told_by(RunNumber::final_depth, "final depths");
   for (MeasuredShot& shot : job.shots) {
-    shot.density = 7800;
-    shot.speed += 25;
-    shot.number = RunNumber::final_depth;
-    const Problem problem = shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, true_gel), 3);
-    std::vector<double> finals;
-    const auto runs = campaign.replicate({problem}, 20, nullptr);
-    for (const Evaluation& one : runs[0])
-      if (const auto log_share = kind_of(shot.number).log_of(one.result))
-        finals.push_back(one.result.depth * std::exp(*log_share) * shot.radius);
+    const auto finals = test::solved_numbers(job, shot, true_gel, own.campaign);
     ASSERT_GT(finals.size(), 5u);
     shot.depth = mean(finals);
   }
-  const CalibrationResult result = calibrate(job, store, campaign, {}, [](const std::string&) {});
+  const CalibrationResult result = calibrate(job, own.store, own.campaign, {}, [](const std::string&) {});
   ASSERT_FALSE(result.hypotheses.empty()) << result.findings.at(0);
   const double mu = std::exp(result.hypotheses[0].minima[0].searched[0]);
   EXPECT_NEAR(mu / true_gel[0], 1, 0.15);

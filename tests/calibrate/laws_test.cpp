@@ -3,6 +3,7 @@
 
 #include "calibrate/gel_job.hpp"
 #include "calibrate/law_checks.hpp"
+#include "calibrate/shots_of_the_solver.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/kept_model.hpp"
 #include "percal/estimate/intervals.hpp"
@@ -130,27 +131,19 @@ TEST(Laws, ASphereBelowACellMeetsAStrainOfItsOwn) {
   EXPECT_EQ(shot_inputs(large, skin).by_material[0].col(6).norm(), 0);
 }
 
-// 100 truths: depths with 5 % scatter and, of the rate, curves beside them.
 // Balls of two sizes into a gel that the rate stiffens, shot by the solver on a coarse mesh as means over its phase, and two slow curves.
 TEST(SlowLaws, ComeBackFromShotsOfTheSolver) {
-  test::TemporaryFolder folder;
-  Store store(folder.path("percal.store"));
-  Campaign campaign(&store, 0);
+  test::OwnCampaign own;
   CalibrationJob job = job_with_laws(8);
   const std::vector<double> truth{250e3, 8, 0.8, 0.12, 0};
   add_curves(job, truth, 3);
   job.hypotheses[0].held = {{alpha, truth[alpha]}, {strain, truth[strain]}, {size_power, truth[size_power]}};
-  job.training = {.coarse = 3, .fine = 3, .verify = 3, .initial = 60, .batch = 30, .most = 240};
-  job.bootstrap = 0;
+  test::train_coarsely(job);
   for (MeasuredShot& shot : job.shots) {
     shot.speed += 25;
-    const Problem problem = shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, truth), 3);
-    std::vector<double> depths;
-    const auto runs = campaign.replicate({problem}, 20, nullptr);
-    for (const Evaluation& one : runs[0]) depths.push_back(one.result.depth);
-    shot.depth = mean(depths) * shot.radius;
+    shot.depth = mean(test::solved_numbers(job, shot, truth, own.campaign));
   }
-  const CalibrationResult result = calibrate(job, store, campaign, {}, [](const std::string&) {});
+  const CalibrationResult result = calibrate(job, own.store, own.campaign, {}, [](const std::string&) {});
   ASSERT_FALSE(result.hypotheses.empty()) << result.findings.at(0);
   const auto& intervals = result.hypotheses[0].intervals;
   ASSERT_EQ(intervals.size(), 2u);
@@ -164,6 +157,7 @@ TEST(SlowLaws, ComeBackFromShotsOfTheSolver) {
   EXPECT_LT(intervals[1].interval.high - intervals[1].interval.low, 0.1) << "and they say something";
 }
 
+// 100 truths: depths with 5 % scatter and, of the rate, curves beside them.
 TEST(SlowLaws, AreRecoveredByTheirIntervals) {
   const Emulator emulator = test::emulator_of_the_smooth_law();
   const auto points = sobol_points(100, 4, 1);
@@ -184,7 +178,7 @@ TEST(SlowLaws, AreRecoveredByTheirIntervals) {
     }
     for (const ShotDepth& depth : shot_depths(job, model, fit, {5, 12})) {
       ++shots_predicted;
-      shots_held += depth.low <= job.shots[depth.shot].depth && job.shots[depth.shot].depth <= depth.high;
+      shots_held += test::holds(depth, job.shots[depth.shot]);
     }
   }
   for (const int parameter : {mu, strain, rate_power, size_power}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "calibrate/beside_law.hpp"
+#include "calibrate/shots_of_the_solver.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/calibration.hpp"
 #include "percal/calibrate/job/trajectory.hpp"
@@ -18,12 +19,12 @@
 namespace percal::numbers_beside_tests {
 namespace {
 
+using test::true_gel;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr double element = 0.1, shot_scatter = 0.06;
-const std::vector<double> true_gel{200e3, 8, 0.8};
 
 class NumbersJob : public test::Program {
  protected:
@@ -173,6 +174,24 @@ TEST_F(Records, OfABentFlightAreReadToTwoHundredths) {
   EXPECT_NEAR(half.depth / expected, 1, 0.02);
 }
 
+// A record of depths that are counted from elsewhere, by so many mm.
+std::string shifted(double mm) {
+  const Flight flight;
+  std::string csv = "time_ms,depth_mm\n";
+  for (int k = 0; k < flight.frames; ++k) {
+    const double t = flight.shown * k / (flight.frames - 1), left = std::max(0.0, 1 - t / flight.stop);
+    csv += std::to_string(1e3 * t) + "," + std::to_string(mm + 1e3 * flight.deepest() * (1 - left * left)) + "\n";
+  }
+  return csv;
+}
+// Twenty frames of 80 m/s and, a long time after, as many of this share of it.
+std::string of_two_speeds(double share) {
+  std::string csv = "time_ms,speed_m_s\n";
+  for (int k = 0; k < 40; ++k)
+    csv += std::to_string(0.001 * k + (k < 20 ? 0 : 1)) + "," + std::to_string(k < 20 ? 80 : share * 80) + "\n";
+  return csv;
+}
+
 TEST_F(Records, RefuseWhatIsNoRecordOfThisShot) {
   const auto refused = [&](const std::string& csv, const std::string& keys, const std::string& speed = "80 m/s") {
     return refusal([&] { read_calibration_job(write("job.toml", job_of(csv, keys, speed))); });
@@ -185,6 +204,11 @@ TEST_F(Records, RefuseWhatIsNoRecordOfThisShot) {
   EXPECT_THAT(refused("time_ms,depth_mm\n0,0\n1,2\n", ""), HasSubstr("8 frames or more"));
   EXPECT_THAT(refused(test::replaced(good, "\n0.050847,", "\n0.010000,"), ""),
               AllOf(HasSubstr("flight.csv:4"), HasSubstr("times that rise")));
+  EXPECT_THAT(refused(shifted(-60), ""),
+              AllOf(HasSubstr("flight.csv"), HasSubstr("a depth of -0.01"), HasSubstr("depths below the surface")));
+  EXPECT_THAT(
+      refused(of_two_speeds(0.4), "trajectory_speed = \"speed\"\n"),
+      AllOf(HasSubstr("flight.csv"), HasSubstr("no frames where half of the speed at impact, 40 m/s, is left")));
   EXPECT_THAT(refused(good, "trajectory_time = \"clock\"\n"), AllOf(HasSubstr("clock"), HasSubstr("time_ms")));
   EXPECT_THAT(refused(good, "trajectory_depth = \"depth\"\ntrajectory_speed = \"depth\"\n"),
               HasSubstr("one of the two"));
@@ -264,33 +288,21 @@ class FilmedCoverage : public testing::TestWithParam<RunNumber> {};
 // Of 100 truths, with the balls that were not seen so left out.
 TEST_P(FilmedCoverage, IntervalsHoldTheTruth) {
   const Emulators emulators = emulators_of_numbers();
-  int held = 0, within = 0, all = 0;
-  for (int t = 0; t < 100; ++t) {
-    std::vector<double> natural = true_gel;
-    natural[0] *= std::exp(0.5 * (t / 50.0 - 1));
-    CalibrationJob job = filmed(natural, 36, 100 + static_cast<unsigned>(t));
-    job.hypotheses[0].held = {{1, 8.0}, {2, 0.8}};
+  const auto held = test::held_of_100_moduli(emulators, element, {1, 8}, [](const auto& natural, unsigned seed) {
+    CalibrationJob job = filmed(natural, 36, seed);
     std::erase_if(job.shots, [&](const MeasuredShot& shot) { return shot.number != GetParam(); });
     if (GetParam() == RunNumber::channel_radius)
       job.groups.erase(job.groups.begin());
     else
       job.groups.pop_back();
     for (MeasuredShot& shot : job.shots) shot.group = 0;
-    job.shots[1].used = job.shots[8].used = false;
-    const JobModel model = finite_element_model(job, job.hypotheses[0], emulators, element);
-    const JobFit fit = fit_job(job, model, used_shots(job), quick_search());
-    const auto intervals = region_intervals(fit.problem, fit.minima, 0.95, quick_search());
-    if (!intervals.empty()) held += intervals[0].interval.low <= natural[0] && natural[0] <= intervals[0].interval.high;
-    for (const ShotDepth& depth : shot_depths(job, model, fit, {1, 8})) {
-      within += depth.low <= job.shots[depth.shot].depth && job.shots[depth.shot].depth <= depth.high;
-      ++all;
-    }
-  }
-  RecordProperty("held", held);
-  RecordProperty("within", within);
-  EXPECT_GE(held, 89);
-  EXPECT_LE(held, 99);
-  EXPECT_GE(within, 0.89 * all);
+    return job;
+  });
+  RecordProperty("held", held.moduli);
+  RecordProperty("within", held.shots);
+  EXPECT_GE(held.moduli, 89);
+  EXPECT_LE(held.moduli, 99);
+  EXPECT_GE(held.shots, 0.89 * held.of_shots);
 }
 
 INSTANTIATE_TEST_SUITE_P(Slow, FilmedCoverage, testing::Values(RunNumber::half_speed_depth, RunNumber::channel_radius),
@@ -304,29 +316,14 @@ class NumbersOfTheSolver : public testing::TestWithParam<RunNumber> {};
 
 // Steel into a narrow layer on a coarse mesh, means of the solver's runs over its phase: the modulus comes back.
 TEST_P(NumbersOfTheSolver, ComeBackFromShotsOfTheSolver) {
-  test::TemporaryFolder folder;
-  Store store(folder.path("percal.store"));
-  Campaign campaign(&store, 0);
-  CalibrationJob job = test::gel_job(6);
-  job.groups = {{"numbers", true, 0}};
-  job.hypotheses[0].held = {{1, 8.0}, {2, 0.8}};
-  job.training = {.coarse = 3, .fine = 3, .verify = 3, .initial = 60, .batch = 30, .most = 240};
-  job.bootstrap = 0;
+  test::OwnCampaign own;
+  CalibrationJob job = test::steel_balls_told_by(GetParam(), "numbers");
   for (MeasuredShot& shot : job.shots) {
-    shot.density = 7800;
-    shot.speed += 25;
-    shot.number = GetParam();
-    const Problem problem = shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, true_gel), 3);
-    const RunNumberKind& kind = kind_of(shot.number);
-    std::vector<double> found;
-    const auto runs = campaign.replicate({problem}, 20, nullptr);
-    for (const Evaluation& one : runs[0])
-      if (const auto log_number = kind.log_of(one.result))
-        found.push_back((kind.over_depth ? one.result.depth : 1) * std::exp(*log_number) * shot.radius);
+    const auto found = test::solved_numbers(job, shot, true_gel, own.campaign);
     ASSERT_EQ(found.size(), 20u);
     shot.depth = mean(found);
   }
-  const CalibrationResult result = calibrate(job, store, campaign, {}, [](const std::string&) {});
+  const CalibrationResult result = calibrate(job, own.store, own.campaign, {}, [](const std::string&) {});
   ASSERT_FALSE(result.hypotheses.empty()) << result.findings.at(0);
   const double mu = std::exp(result.hypotheses[0].minima[0].searched[0]);
   RecordProperty("mu over the true one", std::to_string(mu / true_gel[0]));

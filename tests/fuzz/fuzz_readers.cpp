@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -23,6 +24,7 @@
 #include "percal/page/text.hpp"
 #include "percal/powder/job.hpp"
 #include "percal/predict/predictor.hpp"
+#include "percal/problem/problem.hpp"
 #include "percal/scaling/scale_job.hpp"
 #include "percal/scene/scene_toml.hpp"
 #include "percal/store/store.hpp"
@@ -105,6 +107,46 @@ void predict_by(const std::string& input) {
     Predictor(model, static_cast<int>(k), fired.material, model.level).depths(std::span(&shot, 1), 0);
 }
 
+void need(bool is_so) {
+  if (!is_so) std::abort();
+}
+
+// The input as the corners of a body, in STL and as a table. A body that is accepted has a size and can be computed.
+void read_bodies(const std::string& input) {
+  as_file(input, "body.stl");
+  as_file(input, "body.csv");
+  for (const char* corners : {"\"body.stl\"\nstl_unit = \"1 mm\"", "\"body.csv\""}) try {
+      const Scene scene = read_scene(as_file(std::string("geometry = \"block\"\n[particle]\nshape = \"polyhedron\"\n"
+                                                         "density = \"7 t/m3\"\nspeed = \"50 m/s\"\nvertices = ") +
+                                                 corners +
+                                                 "\n[target]\ndensity = \"1 t/m3\"\nmu = \"1 MPa\"\nalpha = 9\n"
+                                                 "depth = \"1 m\"\nwidth = \"1 m\"\n",
+                                             "scene.toml"));
+      const RigidPolyhedron body = std::get<RigidPolyhedron>(reduce(scene).problem.particle);
+      need(std::isfinite(body.mass) && body.mass > 0);
+      for (const auto& vertex : body.vertices)
+        for (const double coordinate : vertex) need(std::isfinite(coordinate));
+    } catch (const BadInput&) {
+    }
+}
+
+// The input as the record of a shot, of depths and of speeds; what is read of it is a number.
+void read_trajectories(const std::string& input) {
+  as_file(input, "flight.csv");
+  const std::string job =
+      "[parameters.mu]\nkind = \"modulus\"\nlow = \"50 kPa\"\nhigh = \"900 kPa\"\n[materials.gel]\n"
+      "density = \"1010 kg/m3\"\nmu = \"mu\"\nalpha = 8\nerosion_strain = 0.8\n[[shots]]\nname = \"balls\"\n"
+      "material = \"gel\"\nlayer_depth = \"1 m\"\n[[shots.points]]\ndiameter = \"3 mm\"\n"
+      "particle_density = \"7800 kg/m3\"\nspeed = \"80 m/s\"\ntrajectory = \"flight.csv\"\n";
+  for (const char* column : {"trajectory_depth = \"depth\"\n", "trajectory_speed = \"speed\"\n"}) try {
+      for (const MeasuredShot& shot : read_calibration_job(as_file(job + column, "calibrate.toml")).shots) {
+        need(std::isfinite(shot.depth) && shot.depth > 0);
+        need(std::isfinite(shot.depth_error) && shot.depth_error >= 0);
+      }
+    } catch (const BadInput&) {
+    }
+}
+
 void read_quantity(const std::string& input) {
   try {
     parse_quantity(input);
@@ -126,6 +168,8 @@ const std::map<std::string, Reader> readers{
     {"csv", [](const std::string& input) { read_csv(as_file(input, "table.csv")); }},
     {"curves", [](const std::string& input) { read_curves({as_file(input, "curve.csv")}, {.mode = "uniaxial"}); }},
     {"quantity", read_quantity},
+    {"stl", read_bodies},
+    {"trajectory", read_trajectories},
     {"lsdyna", [](const std::string& input) { read_card_of("lsdyna", input); }},
     {"abaqus", [](const std::string& input) { read_card_of("abaqus", input); }},
     {"calculix", [](const std::string& input) { read_card_of("calculix", input); }},

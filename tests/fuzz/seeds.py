@@ -2,6 +2,7 @@
 import json
 import pathlib
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -12,6 +13,9 @@ JOBS = {"scene": ["gold.toml", "steel.toml", "rhombus.toml", "skin_layers.toml",
 # What percal new writes, and the reader of it.
 TEMPLATES = {"scene": "scene", "scale": "scale", "identify": "identify", "calibrate": "calibrate", "campaign": "campaign", "dose": "dose", "design": "dose"}
 QUANTITIES = ["1 kPa", "2.3e-3 kg/m3", "5 um", "1/s", "3 m/s", "10 %", "7"]
+# Four corners and the triangles of their tetrahedron, anticlockwise from outside.
+CHIP = [(-1, -0.7, 0), (1, -0.5, 0.2), (0, 0.9, 0.1), (0.2, 0.1, 1.6)]
+CHIP_TRIANGLES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
 SOLVERS = ["lsdyna", "abaqus", "calculix", "openradioss", "febio", "ansys"]
 
 
@@ -38,6 +42,16 @@ for table in [*source.glob("tools/templates/*.csv"), source / "data/guha2009/gol
 for variant in [*source.glob("tools/templates/variants/*.toml")]:
     reader = variant.stem.split("_")[0]
     seed(reader, variant.name, variant.read_text().replace("STEM", reader).encode())
+facets = [[CHIP[k] for k in triangle] for triangle in CHIP_TRIANGLES]
+vertices = lambda facet: "".join("vertex {} {} {}\n".format(*corner) for corner in facet)
+seed("stl", "text.stl", ("solid chip\n" + "".join(f"facet normal 0 0 1\nouter loop\n{vertices(f)}endloop\nendfacet\n" for f in facets) + "endsolid chip\n").encode())
+seed("stl", "binary.stl", bytes(80) + struct.pack("<I", 4) + b"".join(struct.pack("<12fH", 0, 0, 1, *(x for corner in f for x in corner), 0) for f in facets))
+seed("stl", "chip.csv", (source / "data/synthetic/chip.csv").read_bytes())
+seed("trajectory", "flight.csv", (source / "tools/templates/calibrate_flight.csv").read_bytes())
+# Of a ball of 80 m/s that is slowed down evenly, to a stop or not.
+for name, last in (("stopped", 1.4), ("half", 0.8), ("begun", 0.3)):
+    rows = [(1.2 * last * k / 11, max(0, 1 - last * k / 11)) for k in range(12)]
+    seed("trajectory", name + ".csv", ("time_ms,depth_mm,speed_m_s\n" + "".join(f"{t:.3f},{48 * (1 - left ** 2):.3f},{80 * left:.2f}\n" for t, left in rows)).encode())
 for k, quantity in enumerate(QUANTITIES):
     seed("quantity", str(k), quantity.encode())
 with tempfile.TemporaryDirectory() as name:

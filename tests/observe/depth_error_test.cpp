@@ -109,7 +109,8 @@ TEST_F(DepthErrorTest, AStudyKnowsThePhaseOfASingleRun) {
   penetration.depths.resize(1);
   penetration.standard_error.reset();
   EXPECT_FALSE(error().of(DepthErrorSource::mesh_phase).half_width);
-  EXPECT_NEAR(*error({.noise = 0.01}).of(DepthErrorSource::mesh_phase).half_width, 1.96 * 0.01 * *penetration.depth, 1e-6);
+  EXPECT_NEAR(*error({.noise = 0.01}).of(DepthErrorSource::mesh_phase).half_width, 1.96 * 0.01 * *penetration.depth,
+              1e-6);
 }
 
 TEST_F(DepthErrorTest, WhatWasMeasuredStandsForTheRuleWithTheRestOfItsSeries) {
@@ -146,6 +147,9 @@ TEST_F(DepthErrorTest, AFartherWallAndAFinerStepPromiseLess) {
   EXPECT_NEAR(share(DepthErrorSource::time_step), coarse / 4, 1e-12) << "second order";
   penetration.worst_closure = 0.03;
   EXPECT_NEAR(share(DepthErrorSource::time_step), 0.03, 1e-12) << "no less than the energy's";
+  penetration.worst_closure = 0;
+  read("geometry = \"block\"\n" + light_into_gel);
+  EXPECT_NEAR(share(DepthErrorSource::time_step), 0.04, 1e-12) << "in three dimensions";
 }
 
 TEST_F(DepthErrorTest, KIsLessSureWhereItIsSoftForTheStressAtTheErosionLimit) {

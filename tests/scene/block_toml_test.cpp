@@ -16,15 +16,13 @@ namespace {
 using test::refusal;
 using testing::HasSubstr;
 
-const std::string target_lines =
-    "[target]\ndensity = \"1 t/m3\"\nmu = \"1 MPa\"\nalpha = 9\ndepth = \"75 mm\"\nwidth = \"12 mm\"\n";
 const std::string ball_lines = "radius = \"1 mm\"\ndensity = \"7 t/m3\"\nspeed = \"50 m/s\"\n";
 const std::string prism =
     "shape = \"rhombus\"\nside = \"2 mm\"\ntip_angle = \"60 deg\"\nthickness = \"1 mm\"\nspeed = \"50 m/s\"\n";
 const std::string by_density = prism + "density = \"7 t/m3\"\n";
 
 std::string block(const std::string& particle, const std::string& rest = "") {
-  return "geometry = \"block\"\n[particle]\n" + particle + target_lines + rest;
+  return "geometry = \"block\"\n[particle]\n" + particle + test::block_target + rest;
 }
 Scene scene_of(const std::string& text) { return parse_scene(text, "scene.toml"); }
 
@@ -103,17 +101,17 @@ TEST(BlockToml, ItsLayersMayBeStretchedInTwoDirectionsAndHaveFamiliesOfFibres) {
   EXPECT_NEAR(std::get<FibreFamilies>(p.fibres).k1, 1e6 / (1000 * 50 * 50), 1e-9);
   EXPECT_EQ(p.stretch_across, 1.02);
   EXPECT_EQ(p.block.fine_depth, 85);
-  EXPECT_THAT(refusal("[particle]\n" + ball_lines + target_lines + "[target.fibres]\n" + woven),
+  EXPECT_THAT(refusal("[particle]\n" + ball_lines + test::block_target + "[target.fibres]\n" + woven),
               HasSubstr("target.fibres.angle: found this in a scene of two dimensions"));
-  EXPECT_THAT(refusal("[particle]\n" + ball_lines + target_lines + "stretch_across = 1.1\n"),
+  EXPECT_THAT(refusal("[particle]\n" + ball_lines + test::block_target + "stretch_across = 1.1\n"),
               HasSubstr("target.stretch_across: found this in a scene of two dimensions"));
 }
 
 TEST(BlockToml, KeysOfABlockAreRefusedElsewhere) {
-  const std::string flat = "[particle]\n" + ball_lines + target_lines;
+  const std::string flat = "[particle]\n" + ball_lines + test::block_target;
   EXPECT_THAT(refusal(flat + "[mesh]\nfine_depth = 3\n"),
               HasSubstr("mesh.fine_depth: found this in a scene of two dimensions"));
-  EXPECT_THAT(refusal("[particle]\n" + ball_lines + "angle = \"3 deg\"\n" + target_lines),
+  EXPECT_THAT(refusal("[particle]\n" + ball_lines + "angle = \"3 deg\"\n" + test::block_target),
               HasSubstr("particle.angle: found this in a scene of two dimensions"));
   EXPECT_THAT(refusal(block(ball_lines, "[mesh]\ngraded_columns = 3\n")),
               HasSubstr("mesh.graded_columns: found this in geometry"));
@@ -130,7 +128,8 @@ TEST(BlockToml, WhatABlockLacksIsRefusedByName) {
            {"[output]\nchannel = true\n", "output.channel"}})
     EXPECT_THAT(refusal(block(ball_lines, rest)), HasSubstr(key + ": found")) << rest;
   EXPECT_THAT(refusal(block("shape = \"cylinder\"\n" + ball_lines)), HasSubstr("\"cylinder\" in a block"));
-  EXPECT_THAT(refusal(block("shape = \"cone\"\ntip_angle = \"60 deg\"\n" + ball_lines)), HasSubstr("\"cone\" in a block"));
+  EXPECT_THAT(refusal(block("shape = \"cone\"\ntip_angle = \"60 deg\"\n" + ball_lines)),
+              HasSubstr("\"cone\" in a block"));
   EXPECT_THAT(refusal(block(ball_lines + "thickness = \"1 mm\"\n")),
               HasSubstr("particle.thickness: found this beside shape"));
   EXPECT_THAT(refusal(block(by_density + "angle = \"30 deg\"\n")),

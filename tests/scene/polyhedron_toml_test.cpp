@@ -20,13 +20,11 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string soft_block =
-    "[target]\ndensity = \"1 t/m3\"\nmu = \"1 MPa\"\nalpha = 9\ndepth = \"75 mm\"\nwidth = \"12 mm\"\n";
 const std::string heavy = "density = \"7 t/m3\"\n";
 
 std::string body_scene(const std::string& lines, const std::string& rest = "", const std::string& geometry = "block") {
   return "geometry = \"" + geometry + "\"\n[particle]\nshape = \"polyhedron\"\nspeed = \"50 m/s\"\n" + lines +
-         soft_block + rest;
+         test::block_target + rest;
 }
 Scene scene_with(const std::string& lines, const std::string& rest = "") {
   return parse_scene(body_scene(lines, rest), "scene.toml");
@@ -200,7 +198,8 @@ TEST(PolyhedronToml, WholeAcrossIsGivenOrRefused) {
   EXPECT_THAT(body_refusal(triples(splinter) + heavy, "[mesh]\nwhole_across = false\n"),
               HasSubstr("mesh.whole_across: found false for a particle that is not its own mirror image in y = 0"));
   EXPECT_THAT(body_refusal(triples(splinter) + heavy, "[mesh]\nwhole = false\n"), HasSubstr("mesh.whole: found false"));
-  const std::string ball = "[particle]\nradius = \"1 mm\"\ndensity = \"7 t/m3\"\nspeed = \"50 m/s\"\n" + soft_block;
+  const std::string ball =
+      "[particle]\nradius = \"1 mm\"\ndensity = \"7 t/m3\"\nspeed = \"50 m/s\"\n" + test::block_target;
   EXPECT_THAT(test::refusal("geometry = \"block\"\n" + ball + "[mesh]\nwhole_across = true\n"),
               HasSubstr("mesh.whole_across: found true of a sphere or a prism"));
   EXPECT_THAT(test::refusal(ball + "[mesh]\nwhole_across = true\n"),

@@ -12,17 +12,6 @@
 namespace percal {
 namespace {
 
-// The last frame of a run.
-struct LastFrame : FrameObserver {
-  bool is_due(const Moment&) override { return false; }
-  void see(const Frame& seen) override {
-    frame = seen;
-    space = seen.in_space();
-  }
-  Frame frame;
-  SpaceFrame space;
-};
-
 // alpha 2 is the neo-Hookean solid: J sigma = mu dev(J^(-2/3) F F^T) + K/2 (J^2 - 1) 1.
 TEST(SolidFrame, HasTheCauchyStressWithZUpwards) {
   Problem p = block_dent(2);

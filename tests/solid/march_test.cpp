@@ -202,14 +202,11 @@ TEST(SolidMarch, ErosionByEnergyAndByStressStopsTheParticleSomewhere) {
   EXPECT_GT(all.depth, 0.9 * deep);  // a further limit only makes holes
 }
 
-// A cube on its side, 2 x 2 x 2 radii: what a prism of its own thickness weighs and where it stops.
+// A dent by a prism as thick as it is wide.
 Problem cube() {
   Problem p = block_dent(5);
   p.alpha = 2;
-  p.particle = RigidPolygon{.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
-                            .mass = 8 * p.density_ratio,
-                            .inertia = 8 * p.density_ratio * 2 / 3,
-                            .half_thickness = 1};
+  p.particle = cube_prism(p.density_ratio);
   return p;
 }
 

@@ -146,10 +146,7 @@ TEST(PolyhedronRun, ABlowTurnsItAsItsInertiaSays) {
 // A quarter of either. Where they stand on the surface, corners and centre are the same numbers.
 TEST(PolyhedronMarch, ACubeGoesAsDeepAsThePrismOfTheSameCorners) {
   Problem prism = shot(cube_corners);
-  prism.particle = RigidPolygon{.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
-                                .mass = 8 * prism.density_ratio,
-                                .inertia = 8 * prism.density_ratio * 2 / 3,
-                                .half_thickness = 1};
+  prism.particle = cube_prism(prism.density_ratio);
   const ImpactResult expected = run_solid(prism), found = run_solid(shot(cube_corners));
   EXPECT_NEAR(found.depth, expected.depth, 1e-9 * expected.depth) << found.depth / expected.depth - 1;
   EXPECT_EQ(found.steps, expected.steps);
@@ -252,17 +249,6 @@ TEST(PolyhedronMarch, TheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-// The last frame of a run.
-struct LastSpaceFrame : FrameObserver {
-  bool is_due(const Moment&) override { return false; }
-  void see(const Frame& seen) override {
-    frame = seen;
-    space = seen.in_space();
-  }
-  Frame frame;
-  SpaceFrame space;
-};
-
 struct Momentum {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
@@ -286,7 +272,7 @@ struct Books {
   Momentum body, target;
 };
 Books books_of(const Problem& p) {
-  LastSpaceFrame last;
+  LastFrame last;
   Books books{run_solid(p, last, 1), {}, momentum_of(last.space.target)};
   const SpacePiece& chip_now = last.space.particle;
   const auto vector = [](const SpacePoint& point) { return Eigen::Vector3d(point[0], point[1], point[2]); };
@@ -355,7 +341,7 @@ TEST(PolyhedronMarch, AnErodingWholeRunKeepsItsEnergy) {
 TEST(PolyhedronFrame, HasTheBodyWhereItIs) {
   Problem quarter = shot(cube_corners, 3);
   quarter.end_time = 2;
-  LastSpaceFrame last;
+  LastFrame last;
   const ImpactResult result = run_solid(quarter, last, 1);
   for (const auto& [x, y, z] : last.space.particle.position) {
     EXPECT_GE(x, -1e-12);

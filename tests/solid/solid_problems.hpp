@@ -1,5 +1,6 @@
 // Problems of a block in three dimensions that tests start from.
 #pragma once
+#include "percal/impact/frame.hpp"
 #include "percal/problem/problem.hpp"
 
 namespace percal {
@@ -30,5 +31,24 @@ inline Problem block_dent(double elements_per_radius = 4) {
   p.depth = p.block.fine_depth = 15;
   return p;
 }
+
+// A cube on its side, 2 x 2 x 2 radii, of a block's density ratio: as a prism.
+inline RigidPolygon cube_prism(double density_ratio) {
+  return {.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+          .mass = 8 * density_ratio,
+          .inertia = 8 * density_ratio * 2 / 3,
+          .half_thickness = 1};
+}
+
+// The last frame of a run.
+struct LastFrame : FrameObserver {
+  bool is_due(const Moment&) override { return false; }
+  void see(const Frame& seen) override {
+    frame = seen;
+    space = seen.in_space();
+  }
+  Frame frame;
+  SpaceFrame space;
+};
 
 }  // namespace percal

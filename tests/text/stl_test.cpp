@@ -64,6 +64,8 @@ TEST(Stl, WhatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(stl_refusal(with("vertex 1 0 0", "vertex 1 x 0")),
               HasSubstr("body.stl:5: found \"x\"; accepted: a finite number"));
   EXPECT_THAT(stl_refusal(with("vertex 1 0 0", "vertex 1 nan 0")), HasSubstr("body.stl:5: found \"nan\""));
+  EXPECT_EQ(stl_refusal(with("vertex 1 0 0", "vertex +1 -0 +0")), "accepted");
+  EXPECT_THAT(stl_refusal(with("vertex 1 0 0", "vertex 1 +-2 0")), HasSubstr("body.stl:5: found \"+-2\""));
   EXPECT_THAT(stl_refusal(with("vertex 1 0 0\n", "")),
               HasSubstr("body.stl:6: found \"endloop\"; accepted: \"vertex\""));
   EXPECT_THAT(stl_refusal(with("endsolid a body\n", "")), HasSubstr("body.stl:8: found \"the end of the file\""));

@@ -48,7 +48,7 @@ constexpr std::array<WallRow, 4> wall_rows{{{0, 0.12}, {5, 0.06}, {8, 0.02}, {12
 constexpr double slow_width = 5, firm_from = 20, share_of_firm = 0.02;
 constexpr double rounding = 1e-9;
 
-constexpr double step_share = 0.02, usual_step = 0.9;
+constexpr double step_share = 0.02, step_share_of_block = 0.04, usual_step = 0.9;
 // By the stress at the erosion limit over K.
 constexpr double share_of_stress = 0.2, least_of_bulk = 0.05, most_of_bulk = 0.16;
 constexpr double share_of_squared_mach = 0.17;
@@ -72,7 +72,8 @@ RuledShare wall_share(const Scene& scene, const Problem& problem) {
 
 RuledShare time_step_share(const Problem& problem, double worst_closure) {
   const double ratio = problem.time_step_factor / usual_step;
-  return {std::max(step_share * ratio * ratio, worst_closure),
+  const double share = problem.geometry == Geometry::block ? step_share_of_block : step_share;
+  return {std::max(share * ratio * ratio, worst_closure),
           fmt::format("rule of random scenes: {:.4g} of the stable step, second order; energy closes to {:.1g}",
                       problem.time_step_factor, worst_closure)};
 }

@@ -82,7 +82,8 @@ class StlWords {
   double number() {
     next();
     double value = 0;
-    const char *begin = word_.data() + (word_.starts_with('+') ? 1 : 0), *end = word_.data() + word_.size();
+    const bool plus = word_.starts_with('+') && !word_.starts_with("+-");
+    const char *begin = word_.data() + (plus ? 1 : 0), *end = word_.data() + word_.size();
     const auto [read_to, error] = std::from_chars(begin, end, value);
     if (error != std::errc() || read_to != end || !std::isfinite(value)) refuse("a finite number");
     return value;

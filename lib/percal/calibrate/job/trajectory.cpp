@@ -19,6 +19,7 @@ constexpr double window_share = 0.25;  // of the frames, in each parabola of the
 constexpr double still = 0.05;         // of the speed at impact: slower than this at its end, a record shows a stop
 constexpr double latest_start = 0.75;  // of the speed at impact: a record that begins slower misses its beginning
 constexpr double fastest_start = 1.25;
+constexpr double farthest = 1;  // windows from the middle of its own in which a parabola is looked at
 
 struct Record {
   std::vector<double> time, depth;
@@ -109,11 +110,22 @@ std::vector<Parabola> smooth_course(const Record& record) {
 }
 
 // Where the parabola has this speed. A wrong parabola moves the depth there, and the place.
-RecordedShot depth_at_speed(const Parabola& at, double speed) {
+RecordedShot depth_at_speed(const Parabola& at, double speed, const Place& place) {
   const double s = (speed * at.span - at.c[1]) / (2 * at.c[2]);
+  if (!(std::abs(s) <= farthest))
+    throw BadInput(place, fmt::format("no frames where half of the speed at impact, {:.3g} m/s, is left", speed),
+                   "a record without a gap there, or one that ends before");
   const Eigen::Vector3d moves =
       Eigen::Vector3d(1, s, s * s) - speed * at.span / (2 * at.c[2]) * Eigen::Vector3d(0, 1, 2 * s);
   return {RecordedShot::End::half_speed, at.depth(s), std::sqrt(moves.dot(at.covariance * moves))};
+}
+
+// Columns may say anything; a shot has a depth.
+RecordedShot checked(const RecordedShot& shot, const Place& place) {
+  if (!(shot.depth > 0) || !std::isfinite(shot.depth) || !std::isfinite(shot.standard_error))
+    throw BadInput(place, fmt::format("frames that make a depth of {:.3g} m", shot.depth),
+                   "depths below the surface, from 0 at impact on");
+  return shot;
 }
 
 }  // namespace
@@ -133,18 +145,19 @@ RecordedShot recorded_shot(const std::string& path, const TomlTable& point, doub
   const Record record = read_record(path, point);
   const std::vector<Parabola> course = smooth_course(record);
   const auto speed_at = [](const Parabola& at) { return at.speed(0); };
+  const Place whole{path, 0, ""};
   const double first = course.front().speed((record.time.front() - course.front().time) / course.front().span);
-  if (first < latest_start * speed || first > fastest_start * speed)
+  if (!(first >= latest_start * speed && first <= fastest_start * speed))
     throw BadInput({path, record.line.front(), ""}, fmt::format("a record that begins with {:.3g} m/s", first),
                    fmt::format("one that begins at impact, with about {:.4g} m/s", speed));
   const auto deepest = std::ranges::max_element(course, {}, [](const Parabola& at) { return at.depth(0); });
   if (speed_at(*deepest) < still * speed)
-    return {RecordedShot::End::stopped, deepest->depth(0), std::sqrt(deepest->covariance(0, 0))};
+    return checked({RecordedShot::End::stopped, deepest->depth(0), std::sqrt(deepest->covariance(0, 0))}, whole);
   if (std::ranges::min(course, {}, speed_at).speed(0) > 0.5 * speed)
-    return {RecordedShot::End::still_faster, std::ranges::max(record.depth), 0};
-  return depth_at_speed(
-      std::ranges::min(course, {}, [&](const Parabola& at) { return std::abs(at.speed(0) - 0.5 * speed); }),
-      0.5 * speed);
+    return checked({RecordedShot::End::still_faster, std::ranges::max(record.depth), 0}, whole);
+  const Parabola& nearest =
+      std::ranges::min(course, {}, [&](const Parabola& at) { return std::abs(at.speed(0) - 0.5 * speed); });
+  return checked(depth_at_speed(nearest, 0.5 * speed, whole), whole);
 }
 
 }  // namespace percal
