@@ -46,7 +46,8 @@ inline std::vector<double> solved_numbers(const CalibrationJob& job, const Measu
   const Problem problem = shot_problem(job, shot, material_at(job, job.hypotheses[0], 0, natural), 3);
   const RunNumberKind& kind = kind_of(shot.number);
   std::vector<double> numbers;
-  for (const Evaluation& one : campaign.replicate({problem}, 20, nullptr)[0]) {
+  const auto runs = campaign.replicate({problem}, 20, nullptr);
+  for (const Evaluation& one : runs[0]) {
     const double over = kind.over_depth ? one.result.depth : 1;
     if (shot.number == RunNumber::depth)
       numbers.push_back(over * shot.radius);
