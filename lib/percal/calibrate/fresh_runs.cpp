@@ -59,7 +59,7 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
                  .emulated = std::exp(shot.log_depth)};
   if (has_erosion_length(job)) fresh.elements_in_length = job.training.verify;
   const MeasuredShot& measured = job.shots[shot.shot];
-  const double noise = emulators.noise(measured.number, 1 / job.training.verify);
+  const double noise = emulators.noise(emulator_for(measured), 1 / job.training.verify);
   std::vector<double> depths;
   for (const auto& run : runs) {
     if (!run) continue;
@@ -81,24 +81,29 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
 
 SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,
                                   Campaign& campaign, const Campaign::Deadline& deadline) {
-  SingleFreshRuns runs;
+  std::vector<Problem> problems;
   std::vector<std::vector<Expected>> shots;
   for (std::size_t k = 0; k < fitted.fits.size(); ++k) {
     shots.push_back(expected(job, fitted, k));
     for (const Expected& shot : shots.back()) {
       const double mesh = shot.problem.elements_per_radius;
-      runs.problems.push_back(shot.problem);
-      runs.problems.back().elements_per_radius =
-          drawn_mesh(mesh, job.training.seed, static_cast<int>(runs.problems.size()) - 1);
+      problems.push_back(shot.problem);
+      problems.back().elements_per_radius = drawn_mesh(mesh, job.training.seed, static_cast<int>(problems.size()) - 1);
     }
   }
-  Progress progress("runs at the best points", static_cast<long>(runs.problems.size()), deadline);
-  runs.evaluations = campaign.evaluate_by(deadline, runs.problems, &progress);
+  Progress progress("runs at the best points", static_cast<long>(problems.size()), deadline);
+  const auto evaluations = campaign.evaluate_by(deadline, problems, &progress);
+  SingleFreshRuns runs;
   std::size_t i = 0;
   for (const auto& of_hypothesis : shots) {
     std::vector<FreshRun> fresh;
-    for (const Expected& shot : of_hypothesis)
-      if (auto found = summary(job, shot, emulators, {runs.evaluations[i++]})) fresh.push_back(std::move(*found));
+    for (const Expected& shot : of_hypothesis) {
+      SingleFreshRuns::Made& made = runs.of_body[place_of_body(job.shots[shot.shot])];
+      made.problems.push_back(problems[i]);
+      made.evaluations.push_back(evaluations[i]);
+      if (auto found = summary(job, shot, emulators, {evaluations[i]})) fresh.push_back(std::move(*found));
+      ++i;
+    }
     runs.worst_spread = std::max(runs.worst_spread, spread(fresh));
   }
   return runs;

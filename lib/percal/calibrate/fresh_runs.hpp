@@ -1,5 +1,7 @@
 // Runs at the best points of the hypotheses, on a finer mesh than the emulator learnt from: no answer is taken from it alone.
 #pragma once
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "percal/calibrate/job_fit.hpp"
@@ -17,8 +19,11 @@ struct FittedHypotheses {
 // The fitted shots of all hypotheses at their best points on the verifying mesh, one run each at a phase drawn by the job's seed: to
 // check the emulator by, and to learn from. No evaluation where a run would not be done by the deadline.
 struct SingleFreshRuns {
-  std::vector<Problem> problems;
-  std::vector<std::optional<Evaluation>> evaluations;
+  struct Made {
+    std::vector<Problem> problems;
+    std::vector<std::optional<Evaluation>> evaluations;
+  };
+  std::map<int, Made> of_body;
   double worst_spread = 0;  // under the hypothesis where spread() is largest
 };
 SingleFreshRuns single_fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, const Emulators& emulators,

@@ -283,18 +283,19 @@ void closed_form_beside(const CalibrationResult& result, std::vector<std::string
 // How far the solver knows what it says beside the depth.
 void numbers_beside_depth(const CalibrationResult& result, std::vector<std::string>& sentences) {
   for (const BesideReport& beside : result.emulator.beside) {
-    if (!(beside.mean > 0)) continue;
+    if (!(beside.mean > 0) || beside.of.body != 0) continue;
     sentences.push_back(fmt::format(
         "Of {} runs {} told the {}: {} is {:.2g} in their mean, and one run scatters by {} "
         "about it.{}",
-        beside.runs + beside.without, beside.runs, kind_of(beside.number).words, kind_of(beside.number).learnt,
-        beside.mean, page::rough_percent(beside.noise), kind_of(beside.number).caution));
+        beside.runs + beside.without, beside.runs, kind_of(beside.of.number).words, kind_of(beside.of.number).learnt,
+        beside.mean, page::rough_percent(beside.noise), kind_of(beside.of.number).caution));
   }
 }
 
 void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::vector<std::string>& sentences) {
-  if (job.shots.empty() || result.hypotheses.empty()) return;
-  const double width = job.shots.front().layer_width / job.shots.front().radius;
+  const auto sphere = std::ranges::find(job.shots, 0, place_of_body);
+  if (sphere == job.shots.end() || result.hypotheses.empty()) return;
+  const double width = sphere->layer_width / sphere->radius;
   const std::string warning = width_warning(width, width_needed(job));
   if (job.width_was_chosen)
     sentences.push_back(fmt::format("The wall is at {:.4g} radii for all shots, far enough for any.", width));

@@ -28,10 +28,18 @@ Json emulator_to_json(const EmulatorReport& emulator) {
             {"stopped", emulator.stopped},
             {"rounds", rounds}};
   for (const BesideReport& beside : emulator.beside)
-    json["beside"][kind_of(beside.number).key] = {
-        {"learns", kind_of(beside.number).learnt}, {"runs", beside.runs},
-        {"runs_without", beside.without},          {"mean", finite(beside.mean)},
-        {"noise", finite(beside.noise)},           {"leave_one_out_error", finite(beside.leave_one_out)}};
+    if (beside.of.body == 0)
+      json["beside"][kind_of(beside.of.number).key] = {{"learns", kind_of(beside.of.number).learnt},
+                                                       {"runs", beside.runs},
+                                                       {"runs_without", beside.without},
+                                                       {"mean", finite(beside.mean)},
+                                                       {"noise", finite(beside.noise)},
+                                                       {"leave_one_out_error", finite(beside.leave_one_out)}};
+    else
+      json["bodies"].push_back({{"name", beside.body},
+                                {"runs", beside.runs},
+                                {"noise", finite(beside.noise)},
+                                {"leave_one_out_error", finite(beside.leave_one_out)}});
   return json;
 }
 
