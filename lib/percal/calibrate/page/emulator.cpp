@@ -148,6 +148,19 @@ Table emulator_table(const Json& one) {
   return table;
 }
 
+// Nothing of a job with spheres alone.
+Table bodies_table(const Json& one) {
+  Table table{.caption = "Emulators of other bodies",
+              .rows = {{"body", "runs", "leave-one-out error", "solver's noise"}},
+              .notes = {}};
+  const Json& bodies = maybe(one, "bodies");
+  if (!bodies.is_array()) return {};
+  for (const Json& body : bodies)
+    table.rows.push_back({text(body, "name"), shown(number(body, "runs")), percent(number(body, "leave_one_out_error")),
+                          percent(number(body, "noise"))});
+  return table;
+}
+
 Figure error_figure(const Json& emulator) {
   Chart chart{.title = "The emulator's error at the optimum against processor time",
               .x = {.label = "processor time of the runs, s", .logarithmic = true},
@@ -199,6 +212,7 @@ Section emulator_section(const Json& result) {
   if (list(at(result, "data"), "shots").empty()) return section;  // nothing was run
   add(section, error_figure(emulator));
   add(section, emulator_table(emulator));
+  add(section, bodies_table(emulator));
   add(section, round_table(emulator));
   return section;
 }
