@@ -31,8 +31,6 @@ void refuse_what_bodies_lack(const TomlTable& block, const CalibrationJob& job, 
   refuse_if(is_other_than_0(material.rate_exponent), "a rate_exponent");
   refuse_if(is_other_than_0(material.size_exponent), "a size_exponent");
   refuse_if(material.cell > 0, "a cell");
-  if (job.training.passage)
-    block.refuse("body", "this beside training.passage = true", "spheres alone where passing is learnt");
 }
 
 Scene scene_of_body(const TomlTable& table) {
@@ -80,7 +78,12 @@ void check_body(const TomlTable& block, const CalibrationJob& job, const Measure
                  "depths, or bounds of depths, of what is no sphere");
 }
 
-void settle_bodies(CalibrationJob& job) {
+void settle_bodies(const TomlTable& root, CalibrationJob& job) {
+  if (learns_passage(job))
+    for (const TomlTable& block : root.tables("shots"))
+      if (block.has("body"))
+        block.refuse("body", "this in a job that learns passing, by its shots or by training.passage",
+                     "spheres alone there");
   for (auto& body : job.bodies) {
     double deepest = 0;
     for (const MeasuredShot& shot : job.shots)

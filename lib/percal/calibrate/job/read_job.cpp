@@ -316,7 +316,7 @@ CalibrationJob read_calibration_job(const std::string& path) {
   read_published(root, job);
   root.finish();
   check_use(root, job);
-  settle_bodies(job);
+  settle_bodies(root, job);
   settle_width(job);
   return job;
 }

@@ -32,8 +32,8 @@ void read_shots(const TomlTable& root, CalibrationJob& job);
 std::shared_ptr<const ShotBody> body_of_block(const TomlTable& block, CalibrationJob& job);
 // Of a shot with a body: what only spheres have is refused.
 void check_body(const TomlTable& block, const CalibrationJob& job, const MeasuredShot& shot);
-// How deep the cubes of each body's blocks go, when all shots are known.
-void settle_bodies(CalibrationJob& job);
+// How deep the cubes of each body's blocks go, when all shots are known; bodies are refused beside shots that tell of passing.
+void settle_bodies(const TomlTable& root, CalibrationJob& job);
 
 // layer_width.cpp
 // One width in radii for all spheres, and for all shots of each other body: what some of them give, or what the widest of them needs.
