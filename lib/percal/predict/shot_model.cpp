@@ -422,7 +422,7 @@ Json shot_model_to_json(const ShotModel& model) {
             {"scene_of_runs", model.scene},
             {"shots", shots},
             {"runs", runs},
-            {"settings", model.runs.empty() ? Json() : settings_to_json(model.settings)},
+            {"settings", model.runs.empty() && !model.bodies.empty() ? Json() : settings_to_json(model.settings)},
             {"hypotheses", hypotheses}};
   if (!model.bodies.empty()) json["bodies"] = bodies_to_json(model);
   for (const auto& [number, learnt] : model.beside)

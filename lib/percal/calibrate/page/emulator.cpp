@@ -67,6 +67,8 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
   Series runs = series("fresh runs", Mark::points, 0);
   int within = 0;
   std::string mesh = absent;
+  double fewest = HUGE_VAL,
+         most = 0;  // elements per radius: bodies of other shapes than spheres have numbers of their own
   double low = HUGE_VAL, high = 0;
   const Json& shots = list(at(result, "data"), "shots");
   for (const Json& run : list(hypothesis, "fresh_runs")) {
@@ -79,8 +81,11 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
     high = std::max(high, depth);
     within += std::abs(*z) <= 2;
     const auto in_length = number(maybe(run, "elements_in_erosion_length"));
-    mesh = in_length ? shown(in_length) + " elements in the erosion length"
-                     : shown(number(run, "elements_per_radius")) + " elements per radius";
+    fewest = std::min(fewest, number_or(run, "elements_per_radius", nowhere));
+    most = std::max(most, number_or(run, "elements_per_radius", nowhere));
+    mesh = in_length       ? shown(in_length) + " elements in the erosion length"
+           : fewest < most ? shown(fewest) + " to " + shown(most) + " elements per radius"
+                           : shown(number(run, "elements_per_radius")) + " elements per radius";
   }
   Chart chart{.title = "Fresh runs at the best point against the emulator",
               .x = {.label = "depth, radii", .logarithmic = worth_a_logarithm(low, high)},
