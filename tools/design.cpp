@@ -14,7 +14,7 @@ Exit run_design(const PowderArguments& arguments, const Common& common) {
   const PowderJob job = read_powder_job(arguments.job);
   need_design(job);
   const NamedResult result = read_json_result(job.calibration.text);
-  const ShotModel calibration = kept_shot_model(result.json, result.file);
+  const ShotModel calibration = of_spheres(kept_shot_model(result.json, result.file), result.file);
   powder_model(job, calibration);  // throws where the two do not fit
   if (common.check)
     return say_valid(arguments.job + ": a job that can be run", {{"command", "design"}, {"job", arguments.job}},

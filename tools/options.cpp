@@ -116,6 +116,8 @@ void add_predict(CLI::App& app, PredictArguments& predict, Common& common, std::
   command->add_option("--material", words.material,
                       "of the calibration, or one of its targets (default: the one that was shot into)");
   command->add_option("--hypothesis", words.hypothesis, "name or number (default: the first)");
+  command->add_option("--body", words.body,
+                      "\"sphere\", or the name of another body that was shot (default: what the fitted shots were)");
   command->add_option("--speed", words.speed, "as \"83 m/s\", or a range as 50..250m/s");
   add_sphere(*command, words.sphere);
   command->add_option("--layer-depth", words.layer_depth, "the target's depth, as 200mm");

@@ -43,7 +43,7 @@ Exit run_explore(const ReportArguments& arguments, const Common& common) {
   if (arguments.results.size() != 1) refuse_option("--explore", "two results", "one, of percal calibrate");
   if (!arguments.plots.empty()) refuse_option("--plots", "this beside --explore", "one of the two");
   const NamedResult read = read_json_result(arguments.results.front());
-  const ShotModel model = kept_shot_model(read.json, read.file);
+  const ShotModel model = of_spheres(kept_shot_model(read.json, read.file), read.file);
   const std::string file = page_file(arguments, read.file);
   if (!common.check) ensure_writable_file(file);
   const std::string page = explorer_page(model, read.file);

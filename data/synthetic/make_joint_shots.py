@@ -45,13 +45,18 @@ def normal(uniform):
     return radius * math.cos(2 * math.pi * uniform())
 
 
-def depth_cm(percal, folder, density, diameter, speed):
+def depth_cm_of(percal, folder, text, replicates):
+    """Of a scene, the mean of its replicates."""
     scene = folder / "shot.toml"
-    scene.write_text(SCENE.format(radius=diameter / 2, density=density, speed=speed, gel=DENSITY, mu=MU_KPA, alpha=ALPHA,
-                                  width=WALL * diameter / 2, strain=EROSION_STRAIN, elements=ELEMENTS))
-    run = subprocess.run([percal, "impact", str(scene), "--json", "--replicates", str(REPLICATES), "--out", str(folder / "out")],
+    scene.write_text(text)
+    run = subprocess.run([percal, "impact", str(scene), "--json", "--replicates", str(replicates), "--out", str(folder / "out")],
                          check=True, capture_output=True, text=True)
     return 100 * json.loads(run.stdout)["depth_m"]
+
+
+def depth_cm(percal, folder, density, diameter, speed):
+    return depth_cm_of(percal, folder, SCENE.format(radius=diameter / 2, density=density, speed=speed, gel=DENSITY, mu=MU_KPA, alpha=ALPHA,
+                                                    width=WALL * diameter / 2, strain=EROSION_STRAIN, elements=ELEMENTS), REPLICATES)
 
 
 def main(percal):

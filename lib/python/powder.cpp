@@ -21,7 +21,7 @@ std::string answered(const std::string& path, const Answer& answer) {
     const std::string file = tools::result_file(job.calibration.text);
     const page::Json calibration = parse_json(read_file(file), file, "a result of percal calibrate");
     tools::check_result(calibration, file);
-    result = text_of(answer(job, kept_shot_model(calibration, file)));
+    result = text_of(answer(job, of_spheres(kept_shot_model(calibration, file), file)));
   });
   return result;
 }

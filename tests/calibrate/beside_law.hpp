@@ -15,10 +15,10 @@ inline double channel_law(const SphereInputs& at) { return 0.05 + 0.14 * at.log_
 
 template <class Law>
 Emulators with_number(Emulators emulators, RunNumber number, const Law& law, double noise) {
-  std::vector<TrainingRun> runs = emulators.depth.runs();
+  std::vector<TrainingRun> runs = emulators.depth().runs();
   Draws draws(2);
   for (TrainingRun& run : runs) run.log_depth = law(run.at) + noise * draws.normal();
-  emulators.beside.emplace(number, Emulator(runs, EmulatorOptions{}));
+  emulators.of.emplace(EmulatorOf{0, number}, Emulator(runs, EmulatorOptions{}));
   return emulators;
 }
 

@@ -43,6 +43,7 @@ TEST_F(CalibratePage, DescribesEveryKeyThatIsAcceptedAndNoOther) {
   layers.replace(layers.find(of_hand), of_hand.size(), "name = \"by hand\"\ntarget = \"dressed\"");
   layers.insert(layers.find("[materials.soft]"), calibrate_test::layers_of_a_job + "\n");
   collect(layers, keys);
+  collect(text_of(test::docs + "../tools/templates/variants/calibrate_bodies.toml"), keys);
   // Read only where they are there, or where others are not.
   for (const char* key :
        {"particle", "particle_density", "radius", "radius_column", "diameter", "speed", "depth_error_column"})

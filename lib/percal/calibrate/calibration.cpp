@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "percal/calibrate/fresh_runs.hpp"
 #include "percal/calibrate/hypothesis_findings.hpp"
@@ -34,9 +35,15 @@ std::vector<T> evenly(const std::vector<T>& all, std::size_t most) {
   return some;
 }
 
-// What is plausible under a hypothesis, as depths to be known and as runs to choose from.
+// Of one body: depths to be known, and runs to choose from.
+struct Round {
+  std::vector<Training::Target> targets;
+  std::vector<Training::Candidate> candidates;
+};
+
+// What is plausible under a hypothesis.
 void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& model, const JobFit& fit, unsigned seed,
-                 std::vector<Training::Target>& targets, std::vector<Training::Candidate>& candidates) {
+                 std::map<int, Round>& rounds) {
   const Hypothesis& read = job.hypotheses[hypothesis];
   const VectorXd exponents = model.speed_exponents(fit.at, shots_of(job, fit.shots));
   for (const VectorXd& at : plausible_points(fit, plausible_for_each, temperature, seed)) {
@@ -46,6 +53,7 @@ void add_targets(const CalibrationJob& job, int hypothesis, const JobModel& mode
       const CoveredMaterial material = target_at(job, read, job.targets[shot.target], natural);
       const double scatter = fit.best().scatter[shot.group];
       const double known = known_log_error(shot, exponents.size() > 0 ? exponents.mean() : 1);
+      auto& [targets, candidates] = rounds[place_of_body(shot)];
       targets.push_back({shot_inputs(shot, material).at, 1 / (scatter * scatter + known * known + 1e-6), shot.number});
       const auto drawn = static_cast<int>(candidates.size());
       const auto on_mesh = [&](double mesh) {
@@ -66,11 +74,19 @@ int count_of(const std::vector<Hypothesis>& hypotheses) { return static_cast<int
 
 double element_size(const CalibrationJob& job) { return 1.0 / job.training.verify; }
 
-// Why no more runs are needed, or to be had; empty where they are. `ratio`: the emulator's error over the data's.
-std::string why_enough(const CalibrationJob& job, const Training& training, double ratio) {
-  if (ratio <= job.training.accuracy)
+// The fitted shots of each body, under the hypothesis where its emulator's error is largest beside the data's.
+using WorstErrors = std::map<int, ErrorSizes>;
+
+double ratio_of(const ErrorSizes& sizes) { return sizes.data > 0 ? sizes.emulator / sizes.data : 0; }
+
+bool is_sure(const CalibrationJob& job, const ErrorSizes& sizes) { return ratio_of(sizes) <= job.training.accuracy; }
+
+// Why no more runs are needed, or to be had; empty where they are.
+std::string why_enough(const CalibrationJob& job, const Training& training, const WorstErrors& worst) {
+  if (std::ranges::all_of(worst, [&](const auto& one) { return is_sure(job, one.second); }))
     return fmt::format("the emulator's error is below {:g} of the data's", job.training.accuracy);
-  if (training.full()) return fmt::format("{} runs were made, as many as the job allows", job.training.most);
+  if (std::ranges::all_of(worst, [&](const auto& one) { return is_sure(job, one.second) || training.full(one.first); }))
+    return fmt::format("{} runs were made, as many as the job allows", training.runs_of_design());
   if (training.out_of_time()) return "the budget for runs was spent";
   return "";
 }
@@ -102,9 +118,8 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
     Trained trained;
     trained.why = why_hopeless(training);
     if (!trained.why.empty()) return trained;
-    std::vector<Training::Target> targets;
-    std::vector<Training::Candidate> candidates;
-    double worst = 0, emulator = 0, data = 0;
+    std::map<int, Round> rounds;
+    WorstErrors errors;
     for (int k = 0; k < count_of(job.hypotheses); ++k) {
       JobModel model = finite_element_model(job, job.hypotheses[k], training.emulators(), element_size(job));
       JobFit fit = fit_job(job, model, used_shots(job), quick_search(), starts[k]);
@@ -112,24 +127,26 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
         starts[k] = fit.at;  // now and then from everywhere
       else
         starts[k].reset();
-      const ErrorSizes sizes = error_sizes(job, model, fit);
-      if (sizes.data > 0 && sizes.emulator / sizes.data >= worst) {
-        worst = sizes.emulator / sizes.data;
-        emulator = sizes.emulator;
-        data = sizes.data;
+      for (const int body : bodies_of(job)) {
+        const ErrorSizes sizes = error_sizes(job, model, fit, body);
+        ErrorSizes& worst = errors[body];
+        if (sizes.data > 0 && ratio_of(sizes) >= ratio_of(worst)) worst = sizes;
       }
-      add_targets(job, k, model, fit, job.training.seed + static_cast<unsigned>(round), targets, candidates);
+      add_targets(job, k, model, fit, job.training.seed + static_cast<unsigned>(round), rounds);
       trained.fitted.models.push_back(std::move(model));
       trained.fitted.fits.push_back(std::move(fit));
     }
     EmulatorReport& report = training.report();
-    report.error_at_optimum = emulator;
-    report.data_error = data;
-    if (!report.rounds.empty()) report.rounds.back().error = emulator;
-    announce(fmt::format("{} runs, emulator's error at the optimum {}, data's {}",
-                         training.emulators().depth.runs().size(), page::rough_percent(emulator),
-                         page::rough_percent(data)));
-    trained.why = why_enough(job, training, worst);
+    const auto& [worst_body, worst] =
+        *std::ranges::max_element(errors, {}, [](const auto& one) { return ratio_of(one.second); });
+    report.error_at_optimum = worst.emulator;
+    report.data_error = worst.data;
+    if (!report.rounds.empty()) report.rounds.back().error = worst.emulator;
+    announce(fmt::format("{} runs{}, emulator's error at the optimum {}, data's {}",
+                         training.emulators().depth(worst_body).runs().size(),
+                         worst_body == 0 ? "" : " of " + job.bodies[worst_body - 1]->name(),
+                         page::rough_percent(worst.emulator), page::rough_percent(worst.data)));
+    trained.why = why_enough(job, training, errors);
     if (!trained.why.empty()) {
       if (training.out_of_time() || checks++ == most_checks) return trained;
       fit_thoroughly(job, trained.fitted, campaign);
@@ -142,21 +159,24 @@ Trained train(const CalibrationJob& job, Training& training, Campaign& campaign,
         trained.fresh = std::move(fresh);
         return trained;
       }
-      training.add_runs(fresh.problems, fresh.evaluations);
+      for (const auto& [body, made] : fresh.of_body) training.add_runs(body, made.problems, made.evaluations);
       continue;
     }
-    training.add_round(evenly(targets, most_targets), evenly(candidates, most_candidates));
+    for (const auto& [body, at] : rounds)
+      if (!is_sure(job, errors[body]) && !training.full(body) && !training.out_of_time())
+        training.add_round(body, evenly(at.targets, most_targets), evenly(at.candidates, most_candidates));
   }
 }
 
 void finish_report(EmulatorReport& report, const Emulators& emulators, double verify) {
-  const LeaveOneOut check = emulators.depth.leave_one_out();
-  report.settings = emulators.depth.settings();
+  const Emulator& first = emulators.of.begin()->second;  // spheres' depths where there are spheres
+  const LeaveOneOut check = first.leave_one_out();
+  report.settings = first.settings();
   report.leave_one_out = check.root_mean_square;
   report.standardised_deviation = check.standardised_deviation;
   report.coverage95 = check.coverage95;
   for (BesideReport& beside : report.beside) {
-    const Emulator& emulator = emulators.beside.at(beside.number);
+    const Emulator& emulator = emulators.of.at(beside.of);
     for (const TrainingRun& run : emulator.runs()) beside.mean += std::exp(run.log_depth) / beside.runs;
     beside.noise = emulator.noise(1 / verify);
     beside.leave_one_out = emulator.leave_one_out().root_mean_square;
@@ -244,7 +264,7 @@ CalibrationResult calibrate(const CalibrationJob& job, Store& store, Campaign& c
     result.findings.push_back("No hypothesis was fitted: " + hopeless + ".");
   if (training && training->has_emulator()) result.shot_model = kept_model(job, training->emulators(), result);
   const bool any_depth = std::ranges::any_of(
-      job.shots, [](const MeasuredShot& shot) { return shot.used && shot.number == RunNumber::depth; });
+      job.shots, [](const MeasuredShot& shot) { return shot.used && !shot.body && shot.number == RunNumber::depth; });
   if (job.dehn && any_depth) result.dehn = fit_dehn(job);
   const auto findings = overall_findings(job, result);
   result.findings.insert(result.findings.end(), findings.begin(), findings.end());

@@ -52,7 +52,7 @@ CardErosion erosion_of(const CalibrationJob& job, int material, const MaterialAt
   bool one_radius = true;
   for (const MeasuredShot& shot : job.shots) {
     if (!meets(job, shot, material)) continue;
-    const double size = over_radius * shot.radius;
+    const double size = shot.radius / mesh_of(shot, at, job.training.verify);
     one_radius = one_radius && (!element || *element == size);
     element = size;
   }

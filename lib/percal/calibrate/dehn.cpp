@@ -1,6 +1,7 @@
 // Dehn's closed form as a model of a job's shots, fitted by the same machinery: what the finite elements have to be better than.
 #include "percal/invert/dehn.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -74,10 +75,27 @@ void bound_the_depth(MeasuredShot& shot) {
   shot.used = shot.used && is_deeper;
 }
 
+// The closed form is of spheres alone.
+bool are_spheres(const CalibrationJob& job, const std::vector<int>& shots) {
+  return std::ranges::none_of(shots, [&](int i) { return job.shots[i].body != nullptr; });
+}
+
+std::vector<int> spheres_among(const CalibrationJob& job, std::vector<int> shots) {
+  std::erase_if(shots, [&](int i) { return job.shots[i].body != nullptr; });
+  return shots;
+}
+
+std::vector<int> shots_of_set(const CalibrationJob& job, std::size_t set) {
+  std::vector<int> shots = all_shots(job);
+  std::erase_if(shots, [&](int i) { return job.shots[i].set != static_cast<int>(set); });
+  return shots;
+}
+
 }  // namespace
 
 DehnResult fit_dehn(const CalibrationJob& whole) {
   CalibrationJob job = whole;
+  for (MeasuredShot& shot : job.shots) shot.used = shot.used && !shot.body;
   for (MeasuredShot& shot :
        job.shots) {  // its depth is that of a body without end: nothing of the speed left behind a layer
     if (shot.datum == ShotDatum::speed_left) {
@@ -92,12 +110,13 @@ DehnResult fit_dehn(const CalibrationJob& whole) {
   result.parameters = fit.problem.parameters;
   result.minimum = fit.best();
   result.intervals = region_intervals(fit.problem, fit.minima, job.level, quick_search());
-  result.shots = shot_depths(job, model, fit, all_shots(job));
+  result.shots = shot_depths(job, model, fit, spheres_among(job, all_shots(job)));
   result.sets = set_deviations(job, result.shots);
   for (const CrossValidation& wanted : job.cross_validations)
-    result.cross_validations.push_back(cross_validate(job, model, wanted, thorough_search()));
+    if (are_spheres(job, chosen(job, wanted.fit)) && are_spheres(job, chosen(job, wanted.predict)))
+      result.cross_validations.push_back(cross_validate(job, model, wanted, thorough_search()));
   for (std::size_t s = 0; s < job.sets.size(); ++s)
-    if (job.sets[s].leave_one_out)
+    if (job.sets[s].leave_one_out && are_spheres(job, shots_of_set(job, s)))
       result.leave_one_out.push_back(leave_one_out(job, model, static_cast<int>(s), fit, quick_search()));
   return result;
 }

@@ -73,10 +73,10 @@ int place_of(const MaterialNumber& number, const std::vector<int>& of_job) {
   return found == of_job.end() ? -1 : static_cast<int>(found - of_job.begin());
 }
 
-std::vector<RunNumber> numbers_of(std::span<const MeasuredShot> shots) {
-  std::vector<RunNumber> numbers;
-  for (const MeasuredShot& shot : shots) numbers.push_back(shot.number);
-  return numbers;
+std::vector<EmulatorOf> emulators_for(std::span<const MeasuredShot> shots) {
+  std::vector<EmulatorOf> wanted;
+  for (const MeasuredShot& shot : shots) wanted.push_back(emulator_for(shot));
+  return wanted;
 }
 
 ModelAnswer emulated_depths(const Context& context, const Emulators& emulators, double h, const VectorXd& searched,
@@ -99,7 +99,7 @@ ModelAnswer emulated_depths(const Context& context, const Emulators& emulators, 
     for (std::size_t k = 0; k < target.covers.size(); ++k)
       chain.back() += by_parameters(k + 1, target.covers[k].material);
   }
-  const DepthAnswers depths = emulators.answers(at, numbers_of(shots), h, want == Want::values_and_covariance);
+  const DepthAnswers depths = emulators.answers(at, emulators_for(shots), h, want == Want::values_and_covariance);
   ModelAnswer answer;
   answer.value = depths.log_depth;
   answer.jacobian.resize(depths.log_depth.size(), searched.size());
@@ -122,7 +122,7 @@ VectorXd emulated_speed_exponents(const Context& context, const Emulators& emula
     at.push_back(inputs.at);
     along.row(k) = inputs.by_log_speed.transpose();
   }
-  return emulators.answers(at, numbers_of(shots), h, false).gradient.cwiseProduct(along).rowwise().sum();
+  return emulators.answers(at, emulators_for(shots), h, false).gradient.cwiseProduct(along).rowwise().sum();
 }
 
 // d nominal stress / d (ln mu, alpha) by the derivative-carrying form of the law: two numbers, done by hand with a small struct.

@@ -59,7 +59,7 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
                  .emulated = std::exp(shot.log_depth)};
   if (has_erosion_length(job)) fresh.elements_in_length = job.training.verify;
   const MeasuredShot& measured = job.shots[shot.shot];
-  const double noise = emulators.noise(measured.number, 1 / job.training.verify);
+  const double noise = emulators.noise(emulator_for(measured), 1 / job.training.verify);
   std::vector<double> depths;
   for (const auto& run : runs) {
     if (!run) continue;
@@ -80,7 +80,9 @@ std::optional<FreshRun> summary(const CalibrationJob& job, const Expected& shot,
 }  // namespace
 
 bool FreshRuns::complete() const {
-  return std::ranges::all_of(evaluations, [](const auto& evaluation) { return evaluation.has_value(); });
+  return std::ranges::all_of(of_body, [](const auto& body) {
+    return std::ranges::all_of(body.second.evaluations, [](const auto& evaluation) { return evaluation.has_value(); });
+  });
 }
 
 double FreshRuns::worst_spread() const {
@@ -103,20 +105,25 @@ FreshRuns fresh_runs(const CalibrationJob& job, const FittedHypotheses& fitted, 
             drawn_mesh(shot.problem.elements_per_radius, job.training.seed, static_cast<int>(walks.size()) - 1);
     }
   }
-  FreshRuns runs;  // round by round; neighbours begin at different phases
+  std::vector<Problem> problems;  // round by round; neighbours begin at different phases
   const auto rounds = static_cast<std::size_t>(replicates);
   for (std::size_t r = 0; r < rounds; ++r)
-    for (std::size_t w = 0; w < walks.size(); ++w) runs.problems.push_back(walks[w][(r + w) % rounds]);
-  Progress progress("fresh runs at the best points", static_cast<long>(runs.problems.size()), deadline);
-  runs.evaluations = campaign.evaluate_by(deadline, runs.problems, &progress);
+    for (std::size_t w = 0; w < walks.size(); ++w) problems.push_back(walks[w][(r + w) % rounds]);
+  Progress progress("fresh runs at the best points", static_cast<long>(problems.size()), deadline);
+  const auto evaluations = campaign.evaluate_by(deadline, problems, &progress);
 
+  FreshRuns runs;
   runs.of.resize(shots.size());
   std::size_t place = 0;  // among the walks
   for (std::size_t k = 0; k < shots.size(); ++k)
     for (const Expected& shot : shots[k]) {
+      FreshRuns::Made& made = runs.of_body[place_of_body(job.shots[shot.shot])];
       std::vector<std::optional<Evaluation>> of_shot;
-      for (std::size_t i = place; i < runs.evaluations.size(); i += walks.size())
-        of_shot.push_back(runs.evaluations[i]);
+      for (std::size_t i = place; i < evaluations.size(); i += walks.size()) {
+        made.problems.push_back(problems[i]);
+        made.evaluations.push_back(evaluations[i]);
+        of_shot.push_back(evaluations[i]);
+      }
       if (auto found = summary(job, shot, emulators, of_shot)) runs.of[k].push_back(std::move(*found));
       ++place;
     }

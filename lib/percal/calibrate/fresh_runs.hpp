@@ -1,5 +1,7 @@
 // Runs at the best points of the hypotheses, on a finer mesh than the emulator learnt from: no answer is taken from it alone.
 #pragma once
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "percal/calibrate/job_fit.hpp"
@@ -17,8 +19,11 @@ struct FittedHypotheses {
 // The fitted shots of all hypotheses at their best points on the verifying mesh: to check the emulator by, and to learn from where it
 // does not hold. One run of a shot has a phase of the mesh that the job's seed draws, several walk over it.
 struct FreshRuns {
-  std::vector<Problem> problems;
-  std::vector<std::optional<Evaluation>> evaluations;  // none where a run would not be done by the deadline
+  struct Made {
+    std::vector<Problem> problems;
+    std::vector<std::optional<Evaluation>> evaluations;  // none where a run would not be done by the deadline
+  };
+  std::map<int, Made> of_body;            // by place_of_body()
   std::vector<std::vector<FreshRun>> of;  // each hypothesis: its shots in order, without those that got no run
 
   bool complete() const;

@@ -11,6 +11,7 @@
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/page/numbers.hpp"
 #include "percal/scene/width.hpp"
+#include "percal/units/words.hpp"
 
 namespace percal {
 namespace {
@@ -283,23 +284,48 @@ void closed_form_beside(const CalibrationResult& result, std::vector<std::string
 // How far the solver knows what it says beside the depth.
 void numbers_beside_depth(const CalibrationResult& result, std::vector<std::string>& sentences) {
   for (const BesideReport& beside : result.emulator.beside) {
-    if (!(beside.mean > 0)) continue;
+    if (!(beside.mean > 0) || beside.of.body != 0) continue;
     sentences.push_back(fmt::format(
         "Of {} runs {} told the {}: {} is {:.2g} in their mean, and one run scatters by {} "
         "about it.{}",
-        beside.runs + beside.without, beside.runs, kind_of(beside.number).words, kind_of(beside.number).learnt,
-        beside.mean, page::rough_percent(beside.noise), kind_of(beside.number).caution));
+        beside.runs + beside.without, beside.runs, kind_of(beside.of.number).words, kind_of(beside.of.number).learnt,
+        beside.mean, page::rough_percent(beside.noise), kind_of(beside.of.number).caution));
   }
 }
 
 void the_wall(const CalibrationJob& job, const CalibrationResult& result, std::vector<std::string>& sentences) {
-  if (job.shots.empty() || result.hypotheses.empty()) return;
-  const double width = job.shots.front().layer_width / job.shots.front().radius;
+  const auto sphere = std::ranges::find(job.shots, 0, place_of_body);
+  if (sphere == job.shots.end() || result.hypotheses.empty()) return;
+  const double width = sphere->layer_width / sphere->radius;
   const std::string warning = width_warning(width, width_needed(job));
   if (job.width_was_chosen)
     sentences.push_back(fmt::format("The wall is at {:.4g} radii for all shots, far enough for any.", width));
   else if (!warning.empty())
     sentences.push_back("Within the parameters' bounds " + warning + ".");
+}
+
+// Erosion judges each element by itself: a strain belongs to a size of elements.
+void elements_of_bodies(const CalibrationJob& job, std::vector<std::string>& sentences) {
+  std::map<int, std::pair<double, double>> sizes;  // m, of each body on the verifying mesh
+  for (const MeasuredShot& shot : job.shots) {
+    const double size = shot.radius / mesh_of(shot, LayerMaterial{}, job.training.verify);
+    const auto [place, is_new] = sizes.try_emplace(place_of_body(shot), size, size);
+    auto& [low, high] = place->second;
+    low = std::min(low, size);
+    high = std::max(high, size);
+  }
+  if (job.bodies.empty() || sizes.size() < 2) return;
+  std::vector<std::string> all;
+  for (const auto& [place, range] : sizes) {
+    const auto& [low, high] = range;
+    all.push_back(fmt::format("{} of {}",
+                              low < high ? page::length(low, 2) + " to " + page::length(high, 2) : page::length(low, 2),
+                              place == 0 ? "spheres" : job.bodies[place - 1]->name()));
+  }
+  sentences.push_back(
+      fmt::format("On the mesh of the answer elements measure {}. A material's erosion strain is taken for the "
+                  "same on all of them, as on spheres of several sizes.",
+                  listed(all)));
 }
 
 }  // namespace
@@ -317,6 +343,7 @@ std::vector<std::string> overall_findings(const CalibrationJob& job, const Calib
   closed_form_beside(result, sentences);
   numbers_beside_depth(result, sentences);
   the_wall(job, result, sentences);
+  elements_of_bodies(job, sentences);
   return sentences;
 }
 

@@ -73,8 +73,10 @@ std::optional<double> aicc_of(const JobFit& fit) {
 
 }  // namespace
 
-ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit) {
-  const std::vector<MeasuredShot> shots = shots_of(job, fit.shots);
+ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit, int body) {
+  std::vector<MeasuredShot> shots = shots_of(job, fit.shots);
+  std::erase_if(shots, [body](const MeasuredShot& shot) { return place_of_body(shot) != body; });
+  if (shots.empty()) return {};
   const ModelAnswer answer = model.log_depths(fit.at, shots, Want::values_and_covariance);
   const VectorXd exponents = model.speed_exponents(fit.at, shots);
   ErrorSizes sizes;

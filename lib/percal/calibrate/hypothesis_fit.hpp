@@ -17,6 +17,6 @@ HypothesisResult read_out(const CalibrationJob& job, int hypothesis, const JobMo
 struct ErrorSizes {
   double emulator = 0, data = 0;
 };
-ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit);
+ErrorSizes error_sizes(const CalibrationJob& job, const JobModel& model, const JobFit& fit, int body);
 
 }  // namespace percal

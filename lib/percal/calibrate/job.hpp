@@ -98,8 +98,8 @@ inline bool is_of_passage(ShotDatum datum) {
   return datum == ShotDatum::passed || datum == ShotDatum::stopped || datum == ShotDatum::speed_left;
 }
 
-// A sphere shot into a target.
-struct MeasuredShot : SphereShot {  // all shots of a job have one width in radii
+// A sphere, or another body, shot into a target.
+struct MeasuredShot : SphereShot {  // all spheres of a job have one width in radii
   std::string label;
   int target = 0;          // of CalibrationJob::targets
   double speed_error = 0;  // m/s, standard deviation
@@ -117,6 +117,8 @@ struct MeasuredShot : SphereShot {  // all shots of a job have one width in radi
   std::map<std::string, std::string> row;  // its row of the table, for filters of cross-validation
   std::string file = {};                   // the table; empty where the job says the shot itself
 };
+
+inline EmulatorOf emulator_for(const MeasuredShot& shot) { return {place_of_body(shot), shot.number}; }
 
 // Whether what was seen of it says about how deep it went.
 inline bool tells_depth(const MeasuredShot& shot) {
@@ -177,21 +179,29 @@ struct PublishedPairs {
   std::vector<PublishedPair> pairs;
 };
 
+inline constexpr int smallest_training = 24;  // runs that an emulator of a job wants
+
+// How many runs are spent.
+struct RunCounts {
+  int initial = 0, batch = 0, most = 0;
+};
+
 // How runs are spent on the emulator.
 struct TrainingSettings {
   // Elements per radius, or in the erosion length where the materials have one; training runs draw theirs about the first two.
   double coarse = 6, fine = 8, verify = 10;
-  int initial = 160;                // runs of the first, space-filling design, coarse
-  int batch = 40;                   // runs of each later round
-  int most = 900;                   // runs altogether, for each emulator
-  double fine_share = 0.25;         // of each round
+  int initial = 160;                                       // runs of the first, space-filling design, coarse
+  int batch = 40;                                          // runs of each later round
+  int most = 900;                                          // runs altogether, for each emulator
+  RunCounts body{.initial = 32, .batch = 10, .most = 80};  // the same of every body that is no sphere
+  double fine_share = 0.25;                                // of each round
   double accuracy = 0.2;            // stop where the emulator's error is below this share of the data's
   double failures_tolerated = 0.5;  // share of runs without a depth; above it the job stops and says why
   bool passage =
       false;  // runs that pass their layer go on, and are learnt from, whether or not a shot tells of passing
   std::set<RunNumber> learn = {};  // numbers beside the depth, whether or not a shot tells them
-  int verify_replicates = 1;  // all shots together tell whether the emulator holds
-  unsigned seed = 20090401;   // of points drawn from the data, and of the phases of the training meshes
+  int verify_replicates = 1;       // all shots together tell whether the emulator holds
+  unsigned seed = 20090401;        // of points drawn from the data, and of the phases of the training meshes
 };
 
 struct CalibrationJob {
@@ -201,6 +211,8 @@ struct CalibrationJob {
   std::vector<CalibrationTarget> targets;
   std::vector<ScatterGroup> groups;
   std::vector<ShotSet> sets;
+  std::vector<std::shared_ptr<const ShotBody>>
+      bodies;  // in the order of their places: what its shots were that are no spheres
   std::vector<MeasuredShot> shots;
   std::vector<MeasuredCurve> curves;
   std::vector<Hypothesis> hypotheses;  // never empty
@@ -247,6 +259,13 @@ inline std::set<RunNumber> numbers_of(const CalibrationJob& job) {
   for (const MeasuredShot& shot : job.shots)
     if (shot.number != RunNumber::depth) numbers.insert(shot.number);
   return numbers;
+}
+
+// The places of what was shot, spheres first.
+inline std::set<int> bodies_of(const CalibrationJob& job) {
+  std::set<int> places;
+  for (const MeasuredShot& shot : job.shots) places.insert(place_of_body(shot));
+  return places;
 }
 
 // What the training meshes count.

@@ -1,6 +1,7 @@
 #include "percal/calibrate/kept_model.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "percal/calibrate/shot_problem.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -61,10 +62,18 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulators& 
                  .replicates = usual_replicates,
                  .scene = {},
                  .shots = {},
-                 .runs = emulators.depth.runs(),
-                 .settings = emulators.depth.settings(),
+                 .runs = {},
+                 .settings = {},
                  .hypotheses = {}};
-  for (const auto& [number, emulator] : emulators.beside) kept.beside[number] = {emulator.runs(), emulator.settings()};
+  for (const auto& [of, emulator] : emulators.of) {
+    LearntNumber learnt{emulator.runs(), emulator.settings()};
+    if (of.body != 0)
+      kept.bodies.push_back({job.bodies[of.body - 1], std::move(learnt)});
+    else if (of.number != RunNumber::depth)
+      kept.beside[of.number] = std::move(learnt);
+    else
+      std::tie(kept.runs, kept.settings) = std::tie(learnt.runs, learnt.settings);
+  }
   for (const MeasuredShot& shot : job.shots) {
     FiredShot fired{};
     static_cast<SphereShot&>(fired) = shot;
@@ -81,13 +90,18 @@ std::optional<ShotModel> kept_model(const CalibrationJob& job, const Emulators& 
     found.for_shots.mesh_error = found.mesh_error;
     kept.hypotheses.push_back(std::move(found.for_shots));
   }
-  const CoveredMaterial& material = kept.hypotheses.front().materials[kept.shots.front().material].points.front();
-  Scene scene;
-  scene.mesh.elements_per_radius = mesh_of(kept.shots.front(), material, kept.elements);
-  scene.solver = job.solver;
-  if (kept.passage) scene.output.after = RunUntil::passage;
-  scene.replicates = kept.replicates;
-  kept.scene = scene_to_toml(scene_of_shot(std::move(scene), kept.shots.front(), material), "");
+  const auto scene_of_runs = [&](int body) {
+    const FiredShot& shot = *std::ranges::find(kept.shots, body, place_of_body);
+    const CoveredMaterial& material = kept.hypotheses.front().materials[shot.material].points.front();
+    Scene scene;
+    scene.mesh.elements_per_radius = mesh_of(shot, material, kept.elements);
+    scene.solver = job.solver;
+    if (kept.passage) scene.output.after = RunUntil::passage;
+    scene.replicates = kept.replicates;
+    return scene_to_toml(scene_of_shot(std::move(scene), shot, material), "");
+  };
+  if (!kept.runs.empty()) kept.scene = scene_of_runs(0);
+  for (KeptBody& body : kept.bodies) body.scene = scene_of_runs(body.body->place);
   return kept;
 }
 

@@ -34,8 +34,12 @@ std::vector<MeasuredShot> imagined_shots(const CalibrationJob& job) {
       next.datum = ShotDatum::depth;
       next.number = RunNumber::depth;
       next.speed = slower * slowest + (faster * fastest - slower * slowest) * k / (speeds - 1);
-      next.label = fmt::format("a shot of {:.3g} mm, {:.0f} kg/m3 into {} at {:.0f} m/s", 2e3 * shot.radius,
-                               shot.density, job.targets[shot.target].name, next.speed);
+      if (shot.body)
+        next.label = fmt::format("a shot of {} into {} at {:.0f} m/s", shot.body->name(), job.targets[shot.target].name,
+                                 next.speed);
+      else
+        next.label = fmt::format("a shot of {:.3g} mm, {:.0f} kg/m3 into {} at {:.0f} m/s", 2e3 * shot.radius,
+                                 shot.density, job.targets[shot.target].name, next.speed);
       imagined.push_back(next);
     }
   }

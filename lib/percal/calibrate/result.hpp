@@ -154,9 +154,10 @@ struct DehnResult {
   std::vector<CrossValidationResult> cross_validations, leave_one_out;
 };
 
-// An emulator beside that of the depth.
+// An emulator beside that of spheres' depths.
 struct BesideReport {
-  RunNumber number = RunNumber::final_depth;
+  EmulatorOf of = {};
+  std::string body = {};      // name; empty of spheres
   int runs = 0, without = 0;  // that tell it; of those that were asked, the others
   double mean = 0;            // of what it learns, over those runs
   double noise = 0,
@@ -178,7 +179,7 @@ struct EmulatorReport {
     double cpu_seconds = 0, error = 0;
   };
   std::vector<Round> rounds;
-  std::vector<BesideReport> beside;  // in the order of RunNumber
+  std::vector<BesideReport> beside;  // in the order of EmulatorOf
 };
 
 struct CalibrationCost {

@@ -58,7 +58,8 @@ Scene shot_scene(const CalibrationJob& job, const MeasuredShot& shot, const Cove
   scene.solver = job.solver;
   if (learns_passage(job)) scene.output.after = RunUntil::passage;
   kind_of(shot.number).ask(scene.output);
-  for (const RunNumber number : job.training.learn) kind_of(number).ask(scene.output);
+  if (!shot.body)
+    for (const RunNumber number : job.training.learn) kind_of(number).ask(scene.output);
   return scene_of_shot(std::move(scene), shot, material);
 }
 

@@ -12,6 +12,7 @@
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/invert/depth_covariance.hpp"
 #include "percal/math/draws.hpp"
+#include "percal/problem/particle.hpp"
 #include "percal/problem/replicates.hpp"
 #include "percal/text/sha256.hpp"
 
@@ -22,21 +23,36 @@ constexpr int first_round = 64;       // runs before there is an emulator to cho
 constexpr int points_looked_at = 25;  // for each run of a space-filling round
 constexpr double near_enough = 0.7;   // of ln depth from the measured one
 constexpr double search_again = 1.3;  // hyperparameters are found anew when the runs have grown by this
-constexpr int smallest_training = 24;
-constexpr int enough_beside = 60;  // runs that tell a number beside the depth, of the first design
-constexpr int most_without = 4;    // of those that do not, for each that is wanted
+constexpr int enough_beside = 60;     // runs that tell a number beside the depth, of the first design
+constexpr int most_without = 4;       // of those that do not, for each that is wanted
 constexpr int most_foreign = 600;
 constexpr double too_shallow =
     1;  // ln depth short of the shallowest measured one: under covers, such a sphere sticks in one
 constexpr std::size_t most_of_atlas = 600;
 constexpr int places_for_each = 64;     // of a shot's layer in the parameters' box, to be near to
 constexpr double coarsest_foreign = 6;  // elements, as the job's settings count them, that are fine enough for any job
+constexpr double near_by_energy = 1.8;  // of ln depth: how far a guess by energies may be off
+constexpr double cubes_end = 1e-9;      // relative
+
+// What a body's depth is expected to be within a factor of 6 before any run: its energy makes a hole of its shadow, at the energy density
+// that uniaxial tension puts into the material until it erodes. m                                    docs/theory/emulator.md (15)
+double depth_by_energy(const MeasuredShot& shot, const LayerMaterial& material, const Problem& problem) {
+  const double pi4 = material.density * shot.speed * shot.speed / material.mu_true;
+  const double work = std::exp(log_erosion_energy(material.alpha, material.erosion_strain).value) / pi4;
+  const Scales scales{.radius = shot.radius, .speed = shot.speed, .target_density = material.density};
+  return 0.5 * sectional_density(problem, scales) / material.density / work;
+}
+
+// A run that went beyond the cubes of its block tells of its coarse rest.
+bool is_beyond_the_cubes(const Problem& problem, double reach) {
+  return problem.geometry == Geometry::block && reach > problem.block.fine_depth * (1 + cubes_end);
+}
 
 // Spheres that stick in a cover scatter far more than those that pass it, and tell nothing of data that all have passed.
 double least_learnt(const CalibrationJob& job) {
   double least = INFINITY;
   for (const MeasuredShot& shot : job.shots)
-    if (tells_depth(shot)) least = std::min(least, std::log(shot.depth / shot.radius) - too_shallow);
+    if (tells_depth(shot) && !shot.body) least = std::min(least, std::log(shot.depth / shot.radius) - too_shallow);
   return covers_of(job) > 0 && std::isfinite(least) ? least : -INFINITY;
 }
 
@@ -53,9 +69,15 @@ Training::Training(const CalibrationJob& job, Store* store, Campaign& campaign, 
       campaign_(campaign),
       limits_(limits),
       least_learnt_(least_learnt(job)) {
-  for (const RunNumber number : numbers_of(job)) beside_[number];
-  take_runs_of_atlas();
-  take_foreign_runs();
+  for (const int body : bodies_of(job)) {
+    learnt_[{body}];
+    designs_[body];
+  }
+  if (designs_.contains(0)) {
+    for (const RunNumber number : numbers_of(job)) learnt_[{0, number}];
+    take_runs_of_atlas();
+    take_foreign_runs();
+  }
   learn();
 }
 
@@ -70,11 +92,43 @@ std::vector<double> Training::numbers_at(const Eigen::RowVectorXd& shares) const
   return natural;
 }
 
+RunCounts Training::counts_of(int body) const {
+  const TrainingSettings& t = job_.training;
+  return body == 0 ? RunCounts{t.initial, t.batch, t.most} : t.body;
+}
+
+int Training::runs_of_design() const {
+  int runs = 0;
+  for (const auto& [body, design] : designs_) runs += design.runs;
+  return runs;
+}
+
+std::vector<int> Training::shots_of_body(int body) const {
+  std::vector<int> shots;
+  for (const int shot : all_shots(job_))
+    if (place_of_body(job_.shots[shot]) == body) shots.push_back(shot);
+  return shots;
+}
+
+// Whether the run may end anywhere near where the shot did, as far as is known: by the emulator; of a body without one, whose runs are dear,
+// by its energy.
+bool Training::is_near(const MeasuredShot& shot, const CoveredMaterial& material, const Problem& problem) const {
+  if (!tells_depth(shot)) return true;
+  const std::optional<Emulator>& emulator = learnt_.at({place_of_body(shot)}).emulator;
+  if (emulator) {
+    const DepthAnswers answer = emulator->depth({shot_inputs(shot, material).at}, element_size(problem), true);
+    const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
+    return off <= near_enough + 2 * std::sqrt(answer.covariance(0, 0));
+  }
+  return !shot.body || std::abs(std::log(depth_by_energy(shot, material, problem) / shot.depth)) <= near_by_energy;
+}
+
 // A Sobol point's last coordinate chooses among the shots.
-std::vector<Problem> Training::space_filling_batch(int count, const std::vector<int>& shots) {
+std::vector<Problem> Training::space_filling_batch(int body, int count, const std::vector<int>& shots) {
+  int& next_point = designs_.at(body).next_point;
   const auto dimensions = static_cast<int>(job_.parameters.size()) + 1;
   const int looked_at = count * points_looked_at;
-  const Eigen::MatrixXd points = sobol_points(looked_at, dimensions, next_point_);
+  const Eigen::MatrixXd points = sobol_points(looked_at, dimensions, next_point);
   std::vector<Problem> batch;
   int k = 0;
   for (; k < looked_at && static_cast<int>(batch.size()) < count; ++k) {
@@ -82,63 +136,69 @@ std::vector<Problem> Training::space_filling_batch(int count, const std::vector<
     const auto chosen = static_cast<std::size_t>(points(k, dimensions - 1) * static_cast<double>(shots.size()));
     const MeasuredShot& shot = job_.shots[shots[chosen]];
     const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
-    const bool fine = (next_point_ + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
+    const bool fine = (next_point + k) % std::max(2, static_cast<int>(std::lround(1 / job_.training.fine_share))) == 0;
     const double mesh = mesh_of(shot, material, fine ? job_.training.fine : job_.training.coarse);
-    Problem problem = shot_problem(job_, shot, material, drawn_mesh(mesh, job_.training.seed, next_point_ + k));
-    if (emulator_ && tells_depth(shot)) {
-      const DepthAnswers answer = emulator_->depth({shot_inputs(shot, material).at}, element_size(problem), true);
-      const double off = std::abs(answer.log_depth[0] - std::log(shot.depth / shot.radius));
-      if (off > near_enough + 2 * std::sqrt(answer.covariance(0, 0))) continue;
-    }
-    batch.push_back(std::move(problem));
+    Problem problem = shot_problem(job_, shot, material, drawn_mesh(mesh, job_.training.seed, next_point + k));
+    if (is_near(shot, material, problem)) batch.push_back(std::move(problem));
   }
-  next_point_ += k;
+  next_point += k;
   return batch;
 }
 
 void Training::fill_space() {
-  const int known = covers_of(job_) > 0 ? 0 : report_.from_atlas;  // which has no covers
-  const int initial = std::min(job_.training.initial, job_.training.most) - known;
-  while (design_runs_ < initial && !out_of_time()) {
-    const int wanted = emulator_ ? job_.training.batch : first_round;
-    const auto batch = space_filling_batch(std::min(wanted, initial - design_runs_), all_shots(job_));
+  for (const auto& [body, design] : designs_) {
+    fill_space(body);
+    if (failures()) return;
+  }
+}
+
+void Training::fill_space(int body) {
+  const RunCounts counts = counts_of(body);
+  const Design& design = designs_.at(body);
+  // What the atlas knows, which has no covers and no bodies but spheres.
+  const int known = covers_of(job_) > 0 || body != 0 ? 0 : report_.from_atlas;
+  const int initial = std::min(counts.initial, counts.most) - known;
+  while (design.runs < initial && !out_of_time()) {
+    const int first = body == 0 ? first_round : smallest_training;
+    const int wanted = learnt_.at({body}).emulator ? counts.batch : first;
+    const auto batch = space_filling_batch(body, std::min(wanted, initial - design.runs), shots_of_body(body));
     if (batch.empty()) break;
-    run(batch);
+    run(body, batch);
     learn();
     if (failures()) return;
   }
-  for (const auto& [number, beside] : beside_) {
+  for (const auto& [of, learnt] : learnt_) {
+    if (of.body != body || of.number == RunNumber::depth) continue;
     std::vector<int> telling;
-    for (const int shot : all_shots(job_))
-      if (job_.shots[shot].number == number || job_.training.learn.contains(number)) telling.push_back(shot);
-    while (lacks(number) && !full() && !out_of_time()) {
-      const auto batch = space_filling_batch(std::min(job_.training.batch, job_.training.most - design_runs_), telling);
+    for (const int shot : shots_of_body(body))
+      if (job_.shots[shot].number == of.number || job_.training.learn.contains(of.number)) telling.push_back(shot);
+    while (lacks(learnt) && !full(body) && !out_of_time()) {
+      const auto batch = space_filling_batch(body, std::min(counts.batch, counts.most - design.runs), telling);
       if (batch.empty()) break;
-      run(batch);
+      run(body, batch);
       learn();
       if (failures()) return;
     }
   }
 }
 
-bool Training::lacks(RunNumber number) const {
-  const Beside& beside = beside_.at(number);
-  return std::ssize(beside.runs) < enough_beside && beside.without < most_without * enough_beside;
+bool Training::lacks(const Learnt& learnt) const {
+  return std::ssize(learnt.runs) < enough_beside && learnt.without < most_without * enough_beside;
 }
 
 Emulators Training::emulators() const {
-  Emulators all(*emulator_);
-  for (const auto& [number, beside] : beside_) all.beside.emplace(number, *beside.emulator);
+  Emulators all;
+  for (const auto& [of, learnt] : learnt_) all.of.emplace(of, *learnt.emulator);
   return all;
 }
 
 bool Training::has_emulator() const {
-  return emulator_ && std::ranges::all_of(beside_, [](const auto& one) { return one.second.emulator.has_value(); });
+  return std::ranges::all_of(learnt_, [](const auto& one) { return one.second.emulator.has_value(); });
 }
 
 // The fine runs first, then the coarse: what the mesh adds varies from point to point, and coarse runs alone would look cheaper. Each
 // emulator chooses as many.
-void Training::add_round(const std::vector<Target>& targets, const std::vector<Candidate>& candidates) {
+void Training::add_round(int body, const std::vector<Target>& targets, const std::vector<Candidate>& candidates) {
   std::vector<Problem> batch;
   const auto choose = [&](RunNumber number, const Emulator& emulator, int count) {
     const auto is_for = [&](const auto& one) { return number == RunNumber::depth || one.number == number; };
@@ -164,59 +224,63 @@ void Training::add_round(const std::vector<Target>& targets, const std::vector<C
     on(&Candidate::fine, fine);
     on(&Candidate::coarse, count - fine);
   };
-  const int count = std::min(job_.training.batch, job_.training.most - design_runs_);
+  const RunCounts counts = counts_of(body);
+  const int count = std::min(counts.batch, counts.most - designs_.at(body).runs);
   std::set<RunNumber> wanted;  // those that a datum is of: others learn from what is run for them
   for (const Target& target : targets)
     if (target.number != RunNumber::depth) wanted.insert(target.number);
   const int of_each = count / (1 + static_cast<int>(wanted.size()));
-  choose(RunNumber::depth, *emulator_, count - of_each * static_cast<int>(wanted.size()));
-  for (const RunNumber number : wanted) choose(number, *beside_.at(number).emulator, of_each);
-  run(batch);
+  choose(RunNumber::depth, *learnt_.at({body}).emulator, count - of_each * static_cast<int>(wanted.size()));
+  for (const RunNumber number : wanted) choose(number, *learnt_.at({body, number}).emulator, of_each);
+  run(body, batch);
   learn();
 }
 
-void Training::add_runs(const std::vector<Problem>& problems,
+void Training::add_runs(int body, const std::vector<Problem>& problems,
                         const std::vector<std::optional<Evaluation>>& evaluations) {
-  count(problems, evaluations);
+  count(body, problems, evaluations);
   learn();
 }
 
-void Training::run(const std::vector<Problem>& problems) {
+void Training::run(int body, const std::vector<Problem>& problems) {
   const auto deadline = limits_.deadline(share_for_training);
   Progress progress("runs for the emulator", static_cast<long>(problems.size()), deadline);
   const CampaignCost before = campaign_.cost();
-  count(problems, campaign_.evaluate_by(deadline, problems, &progress));
+  count(body, problems, campaign_.evaluate_by(deadline, problems, &progress));
   const CampaignCost after = campaign_.cost();
   report_.runs += static_cast<int>(after.runs - before.runs);
   report_.reused += static_cast<int>(after.reused - before.reused);
 }
 
-void Training::count(const std::vector<Problem>& problems, const std::vector<std::optional<Evaluation>>& evaluations) {
+void Training::count(int body, const std::vector<Problem>& problems,
+                     const std::vector<std::optional<Evaluation>>& evaluations) {
+  const double least = body == 0 ? least_learnt_ : -INFINITY;
   for (std::size_t i = 0; i < problems.size(); ++i) {
     if (!evaluations[i]) {
       out_of_time_ = true;
       continue;
     }
-    ++design_runs_;
+    ++designs_.at(body).runs;
     const Evaluation& evaluation = *evaluations[i];
     cpu_seconds_ += evaluation.cpu_seconds;
     ++report_.outcomes[word(evaluation.result.outcome)];
     const std::string key = evaluation_key(problems[i], evaluation.instruction_level);
-    if (told_.insert(key).second) take_numbers(problems[i], evaluation.result);
+    if (body == 0 && told_.insert(key).second) take_numbers(problems[i], evaluation.result);
     if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
     taken_.push_back(key);
     const auto reach = reach_of(problems[i], evaluation.result);
-    if (reach && std::log(*reach) >= least_learnt_) runs_.push_back(training_run(problems[i], *reach));
+    if (reach && std::log(*reach) >= least && !is_beyond_the_cubes(problems[i], *reach))
+      learnt_.at({body}).runs.push_back(training_run(problems[i], *reach));
   }
 }
 
-// Of a run that was asked for them.
+// Of a run of a sphere that was asked for them.
 void Training::take_numbers(const Problem& problem, const ImpactResult& result) {
-  for (auto& [number, beside] : beside_) {
-    if (!kind_of(number).asked(problem)) continue;
-    const auto log_share = kind_of(number).log_of(result);
-    beside.without += !log_share;
-    if (log_share) beside.runs.push_back(training_run(problem, std::exp(*log_share)));
+  for (auto& [of, learnt] : learnt_) {
+    if (of.body != 0 || of.number == RunNumber::depth || !kind_of(of.number).asked(problem)) continue;
+    const auto log_share = kind_of(of.number).log_of(result);
+    learnt.without += !log_share;
+    if (log_share) learnt.runs.push_back(training_run(problem, std::exp(*log_share)));
   }
 }
 
@@ -234,21 +298,31 @@ void learn_from(const std::vector<TrainingRun>& runs, std::optional<Emulator>& e
 }  // namespace
 
 void Training::learn() {
-  if (runs_.size() < smallest_training) return;
-  learn_from(runs_, emulator_, searched_at_);
+  const auto can_learn = [](const auto& one) {
+    return one.first.number == RunNumber::depth && one.second.runs.size() >= smallest_training;
+  };
+  if (std::ranges::none_of(learnt_, can_learn)) return;
   report_.beside.clear();
-  for (auto& [number, beside] : beside_) {
-    learn_from(beside.runs, beside.emulator, beside.searched_at);
-    report_.beside.push_back(
-        {.number = number, .runs = static_cast<int>(beside.runs.size()), .without = beside.without});
+  int runs = 0;
+  for (auto& [of, learnt] : learnt_) {
+    learn_from(learnt.runs, learnt.emulator, learnt.searched_at);
+    if (of == EmulatorOf{}) {
+      runs += static_cast<int>(learnt.runs.size());
+      continue;
+    }
+    if (of.number == RunNumber::depth) runs += static_cast<int>(learnt.runs.size());
+    report_.beside.push_back({.of = of,
+                              .body = of.body == 0 ? "" : job_.bodies[of.body - 1]->name(),
+                              .runs = static_cast<int>(learnt.runs.size()),
+                              .without = learnt.without});
   }
-  report_.rounds.push_back({.runs = static_cast<int>(runs_.size()), .cpu_seconds = cpu_seconds_});
+  report_.rounds.push_back({.runs = runs, .cpu_seconds = cpu_seconds_});
 }
 
 std::string Training::setting() const {
   std::vector<double> natural;
   for (const auto& [kind, free] : job_.parameters) natural.push_back(free.natural(free.middle()));
-  const MeasuredShot& shot = job_.shots.front();
+  const MeasuredShot& shot = job_.shots[shots_of_body(0).front()];
   const CoveredMaterial material = target_at(job_, hypothesis_, job_.targets[shot.target], natural);
   return setting_of(shot_problem(job_, shot, material, mesh_of(shot, material, job_.training.coarse)));
 }
@@ -265,7 +339,7 @@ void Training::take_runs_of_atlas() {
   std::vector<Sought> sought;
   const Eigen::MatrixXd points = sobol_points(places_for_each, static_cast<int>(job_.parameters.size()), 0);
   for (const MeasuredShot& shot : job_.shots) {
-    if (!tells_depth(shot)) continue;
+    if (!tells_depth(shot) || shot.body) continue;
     for (Eigen::Index k = 0; k < points.rows(); ++k)
       sought.push_back(
           {shot_inputs(shot, target_at(job_, hypothesis_, job_.targets[shot.target], numbers_at(points.row(k)))).at,
@@ -287,8 +361,8 @@ void Training::take_runs_of_atlas() {
   std::vector<TrainingRun> usable;
   for (const TrainingRun& run : atlas->runs)
     if (run.log_depth >= least_learnt_ && (learns_passage(job_) || Atlas::stopped(run))) usable.push_back(run);
-  runs_ = nearest_runs(usable, most_of_atlas, distance);
-  report_.from_atlas = static_cast<int>(runs_.size());
+  learnt_[{}].runs = nearest_runs(usable, most_of_atlas, distance);
+  report_.from_atlas = static_cast<int>(learnt_[{}].runs.size());
 }
 
 void Training::take_foreign_runs() {
@@ -317,16 +391,21 @@ void Training::take_foreign_runs() {
                                         [](const auto& s, const std::string& k) { return s.key < k; });
     if (found == stored.end() || found->key != key || !usable(*found)) continue;
     taken_.push_back(key);
-    runs_.push_back(training_run(found->problem, *found->reach));
+    learnt_[{}].runs.push_back(training_run(found->problem, *found->reach));
     ++report_.foreign;
   }
 }
 
 std::string Training::untold() const {
-  for (const auto& [number, beside] : beside_)
-    if (emulator_ && !beside.emulator)
-      return fmt::format("{} of {} runs told the {}, too few for an emulator", beside.runs.size(),
-                         std::ssize(beside.runs) + beside.without, kind_of(number).words);
+  for (const auto& [of, learnt] : learnt_) {
+    if (learnt.emulator) continue;
+    if (of.number != RunNumber::depth && learnt_.at({of.body}).emulator)
+      return fmt::format("{} of {} runs told the {}, too few for an emulator", learnt.runs.size(),
+                         std::ssize(learnt.runs) + learnt.without, kind_of(of.number).words);
+    if (of.body != 0)
+      return fmt::format("{} of {} runs of {} came to rest where they tell a depth, too few for an emulator",
+                         learnt.runs.size(), designs_.at(of.body).runs, job_.bodies[of.body - 1]->name());
+  }
   return "";
 }
 
@@ -337,8 +416,9 @@ std::optional<std::string> Training::failures() const {
     counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, outcome);
     if (outcome != word(Outcome::stopped) && outcome != word(Outcome::passed_through)) failed += count;
   }
-  if (design_runs_ < first_round || failed <= job_.training.failures_tolerated * design_runs_) return std::nullopt;
-  return fmt::format("of {} runs {}: more failed than the job tolerates ({:g} %)", design_runs_, counts,
+  const int runs = runs_of_design();
+  if (runs < first_round || failed <= job_.training.failures_tolerated * runs) return std::nullopt;
+  return fmt::format("of {} runs {}: more failed than the job tolerates ({:g} %)", runs, counts,
                      100 * job_.training.failures_tolerated);
 }
 

@@ -67,31 +67,32 @@ std::optional<RunNumber> run_number_of(const std::string& key) {
   return static_cast<RunNumber>(found - std::begin(run_number_kinds));
 }
 
-DepthAnswers Emulators::answers(const std::vector<SphereInputs>& at, const std::vector<RunNumber>& numbers, double h,
+DepthAnswers Emulators::answers(const std::vector<SphereInputs>& at, const std::vector<EmulatorOf>& wanted, double h,
                                 bool with_covariance) const {
-  if (std::ranges::all_of(numbers, [](RunNumber number) { return number == RunNumber::depth; }))
-    return depth.depth(at, h, with_covariance);
+  const auto is_depth = [&](const EmulatorOf& one) { return one == EmulatorOf{wanted.front().body}; };
+  if (!wanted.empty() && std::ranges::all_of(wanted, is_depth))
+    return depth(wanted.front().body).depth(at, h, with_covariance);
   const auto count = static_cast<Eigen::Index>(at.size());
   DepthAnswers all{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, sphere_inputs), {}};
   if (with_covariance) all.covariance = Eigen::MatrixXd::Zero(count, count);
-  const auto add_where = [&](const Emulator& emulator, const auto& is_of) {
+  for (const auto& [known, emulator] : of) {
+    const bool of_depth = known.number == RunNumber::depth;
     std::vector<Eigen::Index> rows;
     std::vector<SphereInputs> there;
     for (std::size_t i = 0; i < at.size(); ++i) {
-      if (!is_of(numbers[i])) continue;
+      const bool counts = of_depth ? kind_of(wanted[i].number).over_depth : wanted[i].number == known.number;
+      if (wanted[i].body != known.body || !counts) continue;
       rows.push_back(static_cast<Eigen::Index>(i));
       there.push_back(at[i]);
     }
     if (!rows.empty()) add(all, emulator.depth(there, h, with_covariance), rows);
-  };
-  add_where(depth, [](RunNumber number) { return kind_of(number).over_depth; });
-  for (const auto& [number, emulator] : beside) add_where(emulator, [of = number](RunNumber one) { return one == of; });
+  }
   return all;
 }
 
-double Emulators::noise(RunNumber number, double h) const {
-  const double of_depth = kind_of(number).over_depth ? depth.noise(h) : 0;
-  return number == RunNumber::depth ? of_depth : std::hypot(of_depth, beside.at(number).noise(h));
+double Emulators::noise(const EmulatorOf& one, double h) const {
+  const double of_depth = kind_of(one.number).over_depth ? depth(one.body).noise(h) : 0;
+  return one.number == RunNumber::depth ? of_depth : std::hypot(of_depth, of.at(one).noise(h));
 }
 
 }  // namespace percal

@@ -1,6 +1,7 @@
 // Numbers of a run that can be measured of a shot, and what emulators learn of them: the deepest depth itself, every other one by an
 // emulator of its own beside it.                                                    docs/theory/emulator.md, Numbers beside the depth
 #pragma once
+#include <compare>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,19 +38,28 @@ std::optional<RunNumber> run_number_of(const std::string& key);
 inline constexpr RunNumber numbers_beside[] = {RunNumber::final_depth, RunNumber::half_speed_depth,
                                                RunNumber::channel_radius};
 
-// An emulator of the depth (invert/reach.hpp) and those beside it.
+// What an emulator is of: a number of the runs of one body, 0: of spheres.
+struct EmulatorOf {
+  int body = 0;
+  RunNumber number = RunNumber::depth;
+  auto operator<=>(const EmulatorOf&) const = default;
+};
+
+// Of each body that was shot an emulator of the depth (invert/reach.hpp) and those beside it.
 struct Emulators {
-  Emulators(Emulator of_depth) : depth(std::move(of_depth)) {}  // implicit: one of the depth alone
+  Emulators() = default;
+  Emulators(Emulator of_depth) { of.emplace(EmulatorOf{}, std::move(of_depth)); }  // implicit: one of spheres' depths
 
-  Emulator depth;
-  std::map<RunNumber, Emulator> beside;
+  std::map<EmulatorOf, Emulator> of;
 
-  bool knows(RunNumber number) const { return number == RunNumber::depth || beside.contains(number); }
-  // ln(number/radius) of the i-th number at the i-th point, which it must know. As Emulator::depth.       (13)
-  DepthAnswers answers(const std::vector<SphereInputs>& at, const std::vector<RunNumber>& numbers, double h,
+  const Emulator& depth(int body = 0) const { return of.at({body, RunNumber::depth}); }
+  bool knows(const EmulatorOf& one) const { return of.contains(one); }
+  // ln(number/radius) of the i-th at the i-th point, which it must know. As Emulator::depth. Emulators of two bodies err independently.
+  //                                                                                                                       (13)
+  DepthAnswers answers(const std::vector<SphereInputs>& at, const std::vector<EmulatorOf>& wanted, double h,
                        bool with_covariance) const;
   // Of one run on a mesh of element size h: standard deviation of ln number.
-  double noise(RunNumber number, double h) const;
+  double noise(const EmulatorOf& one, double h) const;
 };
 
 }  // namespace percal

@@ -11,6 +11,7 @@
 #include "percal/base/version.hpp"
 #include "percal/invert/reach.hpp"
 #include "percal/math/instruction_level.hpp"
+#include "percal/math/polyhedron.hpp"
 #include "percal/observe/stored_run.hpp"
 #include "percal/problem/domain.hpp"
 #include "percal/problem/replicates.hpp"
@@ -32,6 +33,17 @@ double engineering_strain(double limit, StrainMeasure measure) {
 // Of the layer's n-th boundary from the top, in radii: as its rows of elements have it.
 double boundary(const Problem& p, std::size_t n) {
   return std::round(p.lower_faces()[n] * p.elements_per_radius) / p.elements_per_radius;
+}
+
+// In radii: the smaller of half width and half thickness.
+double smaller_half(const Particle& particle) {
+  if (const auto* prism = std::get_if<RigidPolygon>(&particle); prism && prism->half_thickness > 0)
+    return std::min(1.0, prism->half_thickness);
+  if (const auto* body = std::get_if<RigidPolyhedron>(&particle)) {
+    const auto [low, high] = extent(body->vertices, 1);
+    return std::min(1.0, (high - low) / 2);
+  }
+  return 1;
 }
 
 std::optional<double> reach_of(const Problem& problem, const StoredEvaluation& evaluation, const Store& store) {
@@ -75,7 +87,7 @@ std::optional<double> erosion_length(const Problem& problem) {
 double log_erosion_length(const std::optional<double>& radii) { return radii ? std::log(*radii) : 0; }
 
 double element_size(const Problem& problem) {
-  return 1.0 / problem.elements_per_radius / erosion_length(problem).value_or(1);
+  return 1.0 / problem.elements_per_radius / smaller_half(problem.particle) / erosion_length(problem).value_or(1);
 }
 
 SphereInputs inputs_of(const Problem& p) {

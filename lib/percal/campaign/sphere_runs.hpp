@@ -34,7 +34,8 @@ std::optional<double> erosion_length(const Problem& problem);
 // The emulator's input for it: ln(l/a), 0 where there is none.
 double log_erosion_length(const std::optional<double>& radii);
 
-// The side of an element over that length, over the radius where there is none: TrainingRun::h.
+// The side of an element over that length, over the radius where there is none, over the smaller of half width and half thickness of a
+// prism or polyhedron: TrainingRun::h.
 double element_size(const Problem& problem);
 
 // Of a problem with StrainErosion. The strain is the engineering one, whatever the problem's measure: a limit is a critical stretch. A

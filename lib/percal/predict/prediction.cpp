@@ -20,7 +20,8 @@ constexpr double like_it = 0.02;           // relative: spheres that may stand b
 constexpr double may_pass = 0.005;         // a probability of passing that is worth a sentence
 
 bool is_like(const SphereShot& a, const SphereShot& b) {
-  return std::abs(a.radius / b.radius - 1) < like_it && std::abs(a.density / b.density - 1) < like_it;
+  return place_of_body(a) == place_of_body(b) && std::abs(a.radius / b.radius - 1) < like_it &&
+         std::abs(a.density / b.density - 1) < like_it;
 }
 
 // What was fired at, and what is asked for.
@@ -75,7 +76,9 @@ std::vector<std::string> findings_of(const Prediction& prediction, const ShotMod
         fmt::format("Depths are those of {:g} elements {}, as in the calibration, whose parameters make up for "
                     "it; without a mesh they would change by {}.",
                     model.elements,
-                    hypothesis.materials.front().points.front().erosion_length ? "in the erosion length" : "per radius",
+                    prediction.request.body ? "on the smaller of half width and half thickness"
+                    : hypothesis.materials.front().points.front().erosion_length ? "in the erosion length"
+                                                                                 : "per radius",
                     page::signed_percent(hypothesis.mesh_error)));
   return findings;
 }
@@ -96,7 +99,8 @@ Prediction predict(const ShotModel& model, const PredictRequest& request) {
                         .fired = {},
                         .findings = {},
                         .cost = {}};
-  for (const auto& [number, learnt] : model.beside) prediction.beside.push_back(number);
+  for (const auto& [number, learnt] : model.beside)
+    if (!request.body) prediction.beside.push_back(number);
   std::vector<NamedShot> asked = request.shots;
   if (request.looked_for) {
     prediction.solved = predictor.solve(*request.looked_for, asked.front(), request.depth, request.speed_error);
@@ -145,7 +149,9 @@ void check_by_runs(Prediction& prediction, const ShotModel& model, Campaign& cam
   std::vector<Problem> problems;
   std::vector<Reduction> reductions;
   for (const ShotPrediction& one : prediction.shots) {
-    Scene scene = parse_scene(model.scene, "scene of the calibration's runs");
+    const auto& body = one.shot.body;
+    Scene scene =
+        parse_scene(body ? model.bodies[body->place - 1].scene : model.scene, "scene of the calibration's runs");
     scene.mesh.elements_per_radius = mesh_of(one.shot, material, model.elements);
     reductions.push_back(reduce(scene_of_shot(std::move(scene), one.shot, material)));
     problems.push_back(reductions.back().problem);

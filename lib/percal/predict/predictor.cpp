@@ -54,19 +54,21 @@ double number_of(const SphereShot& shot, ShotNumber number) {
 }  // namespace
 
 Predictor::Predictor(const ShotModel& model, int hypothesis, int material, double level)
-    : model_(&model),
-      emulators_(emulators_of(model)),
-      scale_(scale_of(model.runs)),
-      hypothesis_(hypothesis),
-      material_(material),
-      level_(level) {}
+    : model_(&model), emulators_(emulators_of(model)), hypothesis_(hypothesis), material_(material), level_(level) {
+  for (const auto& [of, emulator] : emulators_.of)
+    if (of.number == RunNumber::depth) scales_.emplace(of.body, scale_of(emulator.runs()));
+}
 
 MatrixXd Predictor::log_depths(std::span<const CoveredMaterial> points, std::span<const SphereShot> shots) const {
   std::vector<SphereInputs> at;
+  std::vector<EmulatorOf> wanted;
   for (const SphereShot& shot : shots)
-    for (const CoveredMaterial& point : points) at.push_back(shot_inputs(shot, point).at);
+    for (const CoveredMaterial& point : points) {
+      at.push_back(shot_inputs(shot, point).at);
+      wanted.push_back({place_of_body(shot)});
+    }
   const auto rows = static_cast<Eigen::Index>(points.size()), columns = static_cast<Eigen::Index>(shots.size());
-  MatrixXd depths = emulators_.depth.depth(at, 1 / model_->elements, false).log_depth.reshaped(rows, columns);
+  MatrixXd depths = emulators_.answers(at, wanted, 1 / model_->elements, false).log_depth.reshaped(rows, columns);
   for (Eigen::Index k = 0; k < columns; ++k) depths.col(k).array() += std::log(shots[k].radius);
   return depths;
 }
@@ -78,13 +80,14 @@ VectorXd Predictor::emulator_errors(std::span<const SphereShot> shots) const {
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const SphereInputs at = shot_inputs(shots[k], material().points.front()).at;
     errors[static_cast<Eigen::Index>(k)] =
-        std::sqrt(emulators_.depth.depth({at}, 1 / model_->elements, true).covariance(0, 0));
+        std::sqrt(emulators_.depth(place_of_body(shots[k])).depth({at}, 1 / model_->elements, true).covariance(0, 0));
   }
   return errors;
 }
 
 double Predictor::beyond_runs(const SphereShot& shot) const {
-  const double furthest = scale_.scaled(shot_inputs(shot, material().points.front()).at).cwiseAbs().maxCoeff();
+  const InputScale& scale = scales_.at(place_of_body(shot));
+  const double furthest = scale.scaled(shot_inputs(shot, material().points.front()).at).cwiseAbs().maxCoeff();
   return furthest > 1 + rounding ? furthest - 1 : 0;
 }
 
@@ -104,7 +107,7 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
   std::vector<DepthPrediction> predictions;
   for (std::size_t k = 0; k < shots.size(); ++k) {
     const ShotInputs best = shot_inputs(shots[k], material().points.front());
-    const DepthAnswers answer = emulators_.depth.depth({best.at}, 1 / model_->elements, true);
+    const DepthAnswers answer = emulators_.depth(place_of_body(shots[k])).depth({best.at}, 1 / model_->elements, true);
     DepthPrediction prediction;
     prediction.speed_exponent = answer.gradient.row(0).dot(best.by_log_speed);
     prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
@@ -115,7 +118,7 @@ std::vector<DepthPrediction> Predictor::depths(std::span<const SphereShot> shots
     prediction.passes = 1 - shot.share_below(std::log(shots[k].layer_depth));
     prediction.outside = outside(shots[k]);
     for (const auto& [number, learnt] : model_->beside)
-      prediction.beside[number] = this->number(number, shots[k], speed_error);
+      if (!shots[k].body) prediction.beside[number] = this->number(number, shots[k], speed_error);
     predictions.push_back(std::move(prediction));
   }
   return predictions;
@@ -127,11 +130,11 @@ NumberPrediction Predictor::number(RunNumber number, const SphereShot& shot, dou
   for (const CoveredMaterial& point : material().points) at.push_back(shot_inputs(shot, point).at);
   const double h = 1 / model_->elements;
   const ShotInputs best = shot_inputs(shot, material().points.front());
-  const DepthAnswers answer = emulators_.answers({best.at}, {number}, h, true);
+  const DepthAnswers answer = emulators_.answers({best.at}, {{0, number}}, h, true);
   NumberPrediction prediction;
   prediction.by_emulator = std::sqrt(answer.covariance(0, 0));
   prediction.by_speed = std::abs(answer.gradient.row(0).dot(best.by_log_speed)) * speed_error;
-  VectorXd centres = emulators_.answers(at, std::vector(at.size(), number), h, false).log_depth;
+  VectorXd centres = emulators_.answers(at, std::vector(at.size(), EmulatorOf{0, number}), h, false).log_depth;
   centres.array() += std::log(shot.radius);
   prediction.value = std::exp(centres[0]);
   about_sample(std::move(centres), material().beside.at(number), level_, prediction);
@@ -180,7 +183,8 @@ SolvedShot Predictor::solve(ShotNumber wanted, const SphereShot& like, double de
 std::vector<std::string> Predictor::outside(const SphereShot& shot) const {
   std::vector<std::string> found;
   const auto compare = [&](const char* name, const Dimension& dimension, auto number) {
-    const auto fitted = numbers_of_shots(model_->shots, material_, Shots::fitted, number);
+    const auto fitted =
+        numbers_of_shots(shots_of_body(model_->shots, place_of_body(shot)), material_, Shots::fitted, number);
     const double value = number(shot);
     if (!fitted || (value >= fitted->low * (1 - rounding) && value <= fitted->high * (1 + rounding))) return;
     const auto words = [&](double x) { return format_quantity(x, dimension, 3); };
@@ -188,7 +192,7 @@ std::vector<std::string> Predictor::outside(const SphereShot& shot) const {
     found.push_back(fmt::format("{} {}, fitted {}", name, words(value), range));
   };
   compare("speed", dimension::speed, [](const SphereShot& s) { return s.speed; });
-  compare("diameter", dimension::length, [](const SphereShot& s) { return 2 * s.radius; });
+  if (!shot.body) compare("diameter", dimension::length, [](const SphereShot& s) { return 2 * s.radius; });
   compare("density", dimension::density, [](const SphereShot& s) { return s.density; });
   compare("layer", dimension::length, [](const SphereShot& s) { return s.layer_depth; });
   if (const double beyond = beyond_runs(shot); beyond > 0)

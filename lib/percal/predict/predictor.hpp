@@ -78,7 +78,7 @@ class Predictor {
 
   const ShotModel* model_;
   Emulators emulators_;
-  InputScale scale_;  // of its runs
+  std::map<int, InputScale> scales_;  // of the runs of each body
   int hypothesis_, material_;
   double level_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "percal/base/error.hpp"
 #include "percal/units/words.hpp"
@@ -55,7 +56,7 @@ class Sources {
  public:
   Sources(const PredictWords& words, const ShotModel& model, const PredictRequest& request)
       : words_(words),
-        model_(model),
+        shots_(shots_of_body(model.shots, request.body ? request.body->place : 0)),
         request_(request),
         rows_(words.shots.empty() ? std::nullopt : std::optional(read_csv(words.shots))) {}
 
@@ -64,6 +65,10 @@ class Sources {
   std::vector<std::string> columns_passed_over() const { return rows_.columns_passed_over(); }
 
   std::vector<double> radii() const {
+    if (const auto& body = request_.body) {
+      if (rows_.radii(words_.sphere)) refuse_option("--diameter", "a size for " + body->name(), "the size that it has");
+      return std::vector(size(), body->scene.particle.radius);
+    }
     if (const auto said = rows_.radii(words_.sphere)) return *said;
     std::vector<double> sizes = in_common("diameter", ShotNumber::diameter, "a diameter or a radius",
                                           [](const FiredShot& shot) { return 2 * shot.radius; });
@@ -72,6 +77,8 @@ class Sources {
   }
 
   std::vector<double> densities(const std::vector<double>& radii) const {
+    if (request_.body && rows_.have("particle_mass", words_.sphere.mass))
+      refuse_option("--particle-mass", "this for " + request_.body->name(), "--particle-density");
     if (const auto said = rows_.densities(words_.sphere, radii)) return *said;
     return in_common("particle_density", ShotNumber::density, "the sphere's density or its mass",
                      [](const FiredShot& shot) { return shot.density; });
@@ -103,7 +110,7 @@ class Sources {
   using NumberOfShot = std::function<double(const FiredShot&)>;
 
   std::optional<double> common(const NumberOfShot& number) const {
-    return number_in_common(model_.shots, request_.material, number);
+    return number_in_common(shots_, request_.material, number);
   }
 
   // Where the number itself is looked for, the search begins in the middle of all shots.
@@ -111,8 +118,8 @@ class Sources {
                                 const NumberOfShot& of_shot) const {
     if (request_.looked_for == number) {
       double sum = 0;
-      for (const FiredShot& shot : model_.shots) sum += std::log(of_shot(shot));
-      return std::vector(size(), std::exp(sum / static_cast<double>(model_.shots.size())));
+      for (const FiredShot& shot : shots_) sum += std::log(of_shot(shot));
+      return std::vector(size(), std::exp(sum / static_cast<double>(shots_.size())));
     }
     const auto found = common(of_shot);
     if (!found) refuse_option(ShotRows::option_of(name), "nothing, and the fitted shots differ in it", accepted);
@@ -120,7 +127,7 @@ class Sources {
   }
 
   const PredictWords& words_;
-  const ShotModel& model_;
+  const std::vector<FiredShot> shots_;  // of the same body
   const PredictRequest& request_;
   ShotRows rows_;
 };
@@ -130,7 +137,9 @@ void take_shots(const PredictWords& words, const ShotModel& model, PredictReques
   const auto radii = sources.radii();
   const auto densities = sources.densities(radii), speeds = sources.speeds(), layers = sources.layer_depths(radii);
   const auto labels = sources.labels();
-  const double width = model.shots.front().layer_width / model.shots.front().radius;  // of all shots
+  // Of all shots of a body.
+  const FiredShot first = shots_of_body(model.shots, request.body ? request.body->place : 0).front();
+  const double width = first.layer_width / first.radius;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     NamedShot shot;
     shot.radius = radii[i];
@@ -138,10 +147,12 @@ void take_shots(const PredictWords& words, const ShotModel& model, PredictReques
     shot.speed = speeds[i];
     shot.layer_depth = layers[i];
     shot.layer_width = width * shot.radius;
+    shot.body = request.body;
     shot.label = labels[i].empty() ? words_of(shot) : labels[i];
     if (!(shot.layer_depth > shot.radius))
       refuse_option("--layer-depth", format_quantity(shot.layer_depth, dimension::length),
-                    "more than the sphere's radius, " + format_quantity(shot.radius, dimension::length));
+                    (shot.body ? "more than half the width, " : "more than the sphere's radius, ") +
+                        format_quantity(shot.radius, dimension::length));
     request.shots.push_back(std::move(shot));
   }
   request.columns_passed_over = sources.columns_passed_over();
@@ -171,9 +182,29 @@ int material_named(const std::string& name, const ShotModel& model, const Place&
   return materials.size() == 1 ? 0 : shot_into.front();
 }
 
+std::shared_ptr<const ShotBody> body_named(const std::string& name, const ShotModel& model, int material) {
+  std::vector<std::string> names;
+  if (!model.runs.empty()) names.emplace_back("sphere");
+  for (const KeptBody& kept : model.bodies) names.push_back(kept.body->name());
+  const auto refuse = [&](const std::string& found) { refuse_option("--body", found, listed(names)); };
+  if (name.empty()) {
+    std::set<int> places;
+    for (const FiredShot& shot : model.shots)
+      if (shot.material == material && shot.fitted) places.insert(place_of_body(shot));
+    if (places.empty() && model.bodies.empty()) return nullptr;
+    if (places.size() != 1) refuse("nothing, and the fitted shots differ in it");
+    return *places.begin() == 0 ? nullptr : model.bodies[*places.begin() - 1].body;
+  }
+  const auto known = std::ranges::find(names, name);
+  if (known == names.end()) refuse(in_quotes(name));
+  const auto place = known - names.begin() - (model.runs.empty() ? 0 : 1);
+  return place < 0 ? nullptr : model.bodies[static_cast<std::size_t>(place)].body;
+}
+
 std::vector<NamedText> named_texts(PredictWords& words) {
   std::vector<NamedText> texts{{"material", &words.material},
                                {"hypothesis", &words.hypothesis},
+                               {"body", &words.body},
                                {"speed", &words.speed},
                                {"layer_depth", &words.layer_depth},
                                {"speed_error", &words.speed_error},
@@ -192,6 +223,7 @@ PredictRequest understood(const PredictWords& words, const ShotModel& model) {
                          .shots = {},
                          .speeds = {},
                          .looked_for = {}};
+  request.body = body_named(words.body, model, request.material);
   if (!words.speed_error.empty())
     request.speed_error = one_share(words.speed_error, "--speed-error",
                                     {.low = 0, .high = 0.5, .words = "a share of the speed from 0 to 50 %"});
@@ -204,6 +236,8 @@ PredictRequest understood(const PredictWords& words, const ShotModel& model) {
   if (!words.depth.empty() || words.v50) {
     request.looked_for = number_looked_for(words);
     check_left_out(*request.looked_for, words);
+    if (request.body && *request.looked_for == ShotNumber::diameter)
+      refuse_option("--solve-for", "diameter of " + request.body->name(), "speed or density");
     if (!words.v50) request.depth = one_quantity(words.depth, "--depth", dimension::length, positive("length"));
   } else if (!words.solve_for.empty()) {
     refuse_option("--solve-for", in_quotes(words.solve_for) + " without --depth or --v50", "one of them beside it");

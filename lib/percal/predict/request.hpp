@@ -13,6 +13,7 @@ namespace percal {
 // Texts with units, as options have them; empty where nothing is said.
 struct PredictWords {
   std::string material = {}, hypothesis = {};  // names; a hypothesis also by its number, from 1
+  std::string body = {};                       // "sphere" or the name of another body that was shot
   std::string speed = {};                      // a quantity, or a range "50..250 m/s"
   SphereWords sphere = {};
   std::string layer_depth = {};
@@ -33,7 +34,8 @@ struct NamedShot : SphereShot {
 
 struct PredictRequest {
   PredictWords words;
-  int hypothesis = 0, material = 0;  // indices
+  int hypothesis = 0, material = 0;           // indices
+  std::shared_ptr<const ShotBody> body = {};  // none: spheres
   double level = 0.95;
   double speed_error = 0;        // relative
   std::vector<NamedShot> shots;  // of which depths are asked; one where a number is looked for: what it has in common
@@ -52,6 +54,10 @@ inline const char* word(ShotNumber number) {
 int hypothesis_named(const std::string& name, const ShotModel& model, const Place& place);
 // The material of that name; where nothing is said, the one that there is, or that shots were fitted into. Throw BadInput with the place.
 int material_named(const std::string& name, const ShotModel& model, const Place& place);
+
+// What the shots are of: the body of that name; where nothing is said, what the material's fitted shots have in common. None: spheres. Throws
+// BadInput.
+std::shared_ptr<const ShotBody> body_named(const std::string& name, const ShotModel& model, int material);
 
 // What is left out is what the material's fitted shots have in common. Throws BadInput for what is not understood, for a number that they do
 // not have in common and nobody says.

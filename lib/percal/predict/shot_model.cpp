@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "percal/base/error.hpp"
 #include "percal/invert/depth_covariance.hpp"
+#include "percal/scene/scene_toml.hpp"
 
 namespace percal {
 namespace {
@@ -258,19 +260,21 @@ ShotHypothesis hypothesis_of(const Json& json) {
 }
 
 Json shot_to_json(const FiredShot& shot) {
-  return {{"label", shot.label},
-          {"material", shot.material},
-          {"radius_m", shot.radius},
-          {"density_kg_m3", shot.density},
-          {"speed_m_s", shot.speed},
-          {"layer_depth_m", shot.layer_depth},
-          {"layer_width_m", shot.layer_width},
-          {"depth_m", page::finite(shot.depth)},
-          {"seen", shot.seen},
-          {"fitted", shot.fitted}};
+  Json json{{"label", shot.label},
+            {"material", shot.material},
+            {"radius_m", shot.radius},
+            {"density_kg_m3", shot.density},
+            {"speed_m_s", shot.speed},
+            {"layer_depth_m", shot.layer_depth},
+            {"layer_width_m", shot.layer_width},
+            {"depth_m", page::finite(shot.depth)},
+            {"seen", shot.seen},
+            {"fitted", shot.fitted}};
+  if (shot.body) json["body"] = shot.body->place;
+  return json;
 }
 
-FiredShot shot_of(const Json& json, std::size_t materials) {
+FiredShot shot_of(const Json& json, std::size_t materials, const std::vector<KeptBody>& bodies) {
   FiredShot shot;
   shot.label = page::text(json, "label");
   shot.material = whole(json, "material");
@@ -286,6 +290,11 @@ FiredShot shot_of(const Json& json, std::size_t materials) {
        {shot.radius, shot.density, shot.speed, shot.layer_depth, shot.layer_width, shot.depth.value_or(1)})
     if (!(positive > 0)) throw page::MissingKey("shots");
   if (static_cast<std::size_t>(shot.material) >= materials) throw page::MissingKey("material");
+  if (!page::maybe(json, "body").is_null()) {
+    const int place = whole(json, "body");
+    if (place < 1 || static_cast<std::size_t>(place) > bodies.size()) throw page::MissingKey("body");
+    shot.body = bodies[place - 1].body;
+  }
   return shot;
 }
 
@@ -345,13 +354,60 @@ void take_beside(const Json& json, ShotModel& model) {
   }
 }
 
+// The part of a scene that is of its particle.
+std::shared_ptr<const ShotBody> body_of(const std::string& scene, int place) {
+  auto body = std::make_shared<ShotBody>();
+  body->place = place;
+  body->scene = parse_scene(scene, "scene of the calibration's runs");
+  return body;
+}
+
+void take_bodies(const Json& json, ShotModel& model) {
+  if (page::maybe(json, "bodies").is_null()) return;
+  for (const Json& kept : list(json, "bodies")) {
+    const std::string scene = page::text(kept, "scene_of_runs");
+    const LearntNumber depth{runs_of(kept, model), settings_of(at(kept, "settings"))};
+    require_lengths(depth.settings, depth.runs);
+    model.bodies.push_back({body_of(scene, static_cast<int>(model.bodies.size()) + 1), depth, scene});
+  }
+}
+
+Json bodies_to_json(const ShotModel& model) {
+  Json bodies = Json::array();
+  for (const KeptBody& kept : model.bodies)
+    bodies.push_back({{"name", kept.body->name()},
+                      {"scene_of_runs", kept.scene},
+                      {"runs", runs_to_json(kept.depth.runs, model)},
+                      {"settings", settings_to_json(kept.depth.settings)}});
+  return bodies;
+}
+
 }  // namespace
 
 Emulators emulators_of(const ShotModel& model) {
-  Emulators emulators(Emulator(model.runs, model.settings));
+  Emulators emulators;
+  if (!model.runs.empty()) emulators.of.emplace(EmulatorOf{}, Emulator(model.runs, model.settings));
   for (const auto& [number, learnt] : model.beside)
-    emulators.beside.emplace(number, Emulator(learnt.runs, learnt.settings));
+    emulators.of.emplace(EmulatorOf{0, number}, Emulator(learnt.runs, learnt.settings));
+  for (const auto& [body, depth, scene] : model.bodies)
+    emulators.of.emplace(EmulatorOf{body->place}, Emulator(depth.runs, depth.settings));
   return emulators;
+}
+
+std::vector<FiredShot> shots_of_body(const std::vector<FiredShot>& shots, int body) {
+  std::vector<FiredShot> own;
+  std::ranges::copy_if(shots, std::back_inserter(own),
+                       [body](const FiredShot& shot) { return place_of_body(shot) == body; });
+  return own;
+}
+
+ShotModel of_spheres(ShotModel model, const std::string& file) {
+  if (model.runs.empty())
+    throw BadInput({file, 0, "shot_model"}, "a calibration that knows no spheres, only other bodies",
+                   "one with shots of spheres");
+  model.shots = shots_of_body(model.shots, 0);
+  model.bodies.clear();
+  return model;
 }
 
 Json shot_model_to_json(const ShotModel& model) {
@@ -366,8 +422,9 @@ Json shot_model_to_json(const ShotModel& model) {
             {"scene_of_runs", model.scene},
             {"shots", shots},
             {"runs", runs},
-            {"settings", settings_to_json(model.settings)},
+            {"settings", model.runs.empty() && !model.bodies.empty() ? Json() : settings_to_json(model.settings)},
             {"hypotheses", hypotheses}};
+  if (!model.bodies.empty()) json["bodies"] = bodies_to_json(model);
   for (const auto& [number, learnt] : model.beside)
     json["beside"][kind_of(number).key] = {{"runs", runs_to_json(learnt.runs, model)},
                                            {"settings", settings_to_json(learnt.settings)}};
@@ -387,7 +444,7 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
                   .scene = page::text(json, "scene_of_runs"),
                   .shots = {},
                   .runs = {},
-                  .settings = settings_of(at(json, "settings")),
+                  .settings = {},
                   .hypotheses = {}};
   if (!(model.level > 0 && model.level < 1)) throw page::MissingKey("level");
   if (!(model.elements > 0)) throw page::MissingKey("elements");
@@ -396,10 +453,12 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   for (const ShotHypothesis& hypothesis : model.hypotheses)
     if (hypothesis.materials.size() != model.hypotheses.front().materials.size()) throw page::MissingKey("materials");
   model.runs = runs_of(json, model);
+  take_bodies(json, model);
+  if (!model.runs.empty() || model.bodies.empty()) model.settings = settings_of(at(json, "settings"));
   require_lengths(model.settings, model.runs);
   take_beside(json, model);
   for (const Json& shot : list(json, "shots"))
-    model.shots.push_back(shot_of(shot, model.hypotheses.front().materials.size()));
+    model.shots.push_back(shot_of(shot, model.hypotheses.front().materials.size(), model.bodies));
   if (model.shots.empty()) throw page::MissingKey("shots");
   return model;
 }

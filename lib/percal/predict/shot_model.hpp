@@ -67,19 +67,33 @@ struct LearntNumber {
   EmulatorSettings settings = {};
 };
 
+// What was shot besides spheres, and what the emulator of its depths has learnt.
+struct KeptBody {
+  std::shared_ptr<const ShotBody> body;
+  LearntNumber depth;
+  std::string scene = {};  // TOML of a run
+};
+
 struct ShotModel {
   double level = 0.95;
   double elements = 0;     // of the mesh that predictions are of: per radius, or in the erosion length
   bool passage = false;    // it knows what passes a layer: its depths are reaches (invert/reach.hpp)
   int replicates = 1;      // of a run that checks a prediction
-  std::string scene = {};  // TOML of a run: its solver's settings
+  std::string scene = {};  // TOML of a sphere's run: its solver's settings
   std::vector<FiredShot> shots;
-  std::vector<TrainingRun> runs;
+  std::vector<TrainingRun> runs;  // of spheres; empty where none was shot
   EmulatorSettings settings;
   std::map<RunNumber, LearntNumber> beside = {};
+  std::vector<KeptBody> bodies = {};       // in the order of their places
   std::vector<ShotHypothesis> hypotheses;  // never empty
 };
 Emulators emulators_of(const ShotModel& model);
+
+// The shots of what has this place (ShotBody::place; 0: spheres).
+std::vector<FiredShot> shots_of_body(const std::vector<FiredShot>& shots, int body);
+
+// What it knows about spheres alone. Throws BadInput with the file where it knows nothing of them.
+ShotModel of_spheres(ShotModel model, const std::string& file);
 
 page::Json shot_model_to_json(const ShotModel& model);
 

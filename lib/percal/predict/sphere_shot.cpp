@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "percal/campaign/sphere_runs.hpp"
+#include "percal/scene/block_toml.hpp"
 #include "percal/units/quantity.hpp"
 
 namespace percal {
@@ -74,13 +75,41 @@ void lay_covers_on(Scene& scene, const SphereShot& shot, const std::vector<Cover
   scene.target.depth = covers.back().thickness;
 }
 
+// The body's outline as large as the shot's radius says.
+ParticleShape scaled(ParticleShape shape, double factor) {
+  const auto scale = [factor](auto& vertices) {
+    for (auto& vertex : vertices)
+      for (double& coordinate : vertex) coordinate *= factor;
+  };
+  if (auto* prism = std::get_if<ProfileShape>(&shape)) {
+    scale(prism->vertices);
+    prism->thickness *= factor;
+  }
+  if (auto* body = std::get_if<PolyhedronShape>(&shape)) scale(body->vertices);
+  return shape;
+}
+
+// Of its own mesh the scene keeps how fine it is.
+void take_body(Scene& scene, const SphereShot& shot) {
+  const Scene& body = shot.body->scene;
+  scene.geometry = body.geometry;
+  scene.particle = body.particle;
+  scene.particle.shape = scaled(scene.particle.shape, shot.radius / body.particle.radius);
+  const double elements = scene.mesh.elements_per_radius;
+  scene.mesh = body.mesh;
+  scene.mesh.elements_per_radius = elements;
+  scene.solver = body.solver;
+}
+
 }  // namespace
 
 std::string words_of(const SphereShot& shot) {
+  if (shot.body) return shot.body->name() + " at " + format_quantity(shot.speed, dimension::speed);
   return format_quantity(2 * shot.radius, dimension::length) + " at " + format_quantity(shot.speed, dimension::speed);
 }
 
 double mesh_of(const SphereShot& shot, const LayerMaterial& material, double elements) {
+  if (shot.body) return elements * usual_mesh(shot.body->scene).elements_per_radius / usual_elements_on_smaller_half;
   return material.erosion_length ? elements * shot.radius / *material.erosion_length : elements;
 }
 
@@ -104,6 +133,7 @@ LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot) {
 
 Scene scene_of_shot(Scene scene, const SphereShot& shot, const CoveredMaterial& of_reference) {
   const LayerMaterial material = at_shot(of_reference, shot);
+  if (shot.body) take_body(scene, shot);
   scene.particle.radius = shot.radius;
   scene.particle.density = shot.density;
   scene.particle.speed = shot.speed;

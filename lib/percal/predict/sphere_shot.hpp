@@ -1,6 +1,7 @@
-// A sphere shot into a layer of a known material: as a scene to run, and as inputs of the emulator.   docs/theory/prediction.md
+// A sphere, or a body of another shape, shot into a layer of a known material: as a scene to run, and as inputs of the emulator.   docs/theory/prediction.md
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,15 +12,28 @@
 
 namespace percal {
 
-// A rigid sphere straight down into a layer, or several of them; SI.
-struct SphereShot {
-  double radius = 0, density = 0;  // m, kg/m3: of the sphere
-  double speed = 0;                // m/s
-  double layer_depth = 0;          // m; of all layers together
-  double layer_width = 0;          // m: radius of the fixed outer wall
+// What is shot where that is no sphere: a rigid prism or polyhedron in three dimensions, standing and flying as the scene has it.
+//                                                                                     docs/theory/emulator.md, Other bodies
+struct ShotBody {
+  int place = 1;  // among the bodies of its job or result, from 1
+  Scene scene;    // geometry, particle, mesh and solver of its runs; nothing else of it counts
+
+  const std::string& name() const { return scene.particle.name; }
 };
 
-// "3.18 mm at 83 m/s".
+// A rigid sphere straight down into a layer, or several of them; SI. Or another body into one layer.
+struct SphereShot {
+  double radius = 0, density = 0;          // m, kg/m3: of the sphere; of another body half its width
+  double speed = 0;                        // m/s
+  double layer_depth = 0;                  // m; of all layers together
+  double layer_width = 0;                  // m: radius of the fixed outer wall
+  std::shared_ptr<const ShotBody> body{};  // none: a sphere
+};
+
+// ShotBody::place, 0 of a sphere.
+inline int place_of_body(const SphereShot& shot) { return shot.body ? shot.body->place : 0; }
+
+// "3.18 mm at 83 m/s"; of a body without its size.
 std::string words_of(const SphereShot& shot);
 
 // How numbers of a material change from shot to shot: the modulus by a power of the rate v/a, or by what has relaxed of it in a/v; the
@@ -61,11 +75,12 @@ double size_factor(const MaterialLaws& laws, double radius);
 // What the shot meets: the laws applied, and gone.
 LayerMaterial at_shot(const LayerMaterial& material, const SphereShot& shot);
 
-// Elements per radius of a mesh with so many elements in the material's erosion length, or per radius where it has none.
+// Elements per radius of a mesh with so many elements in the material's erosion length, or per radius where it has none; of a body on the
+// smaller of half its width and half its thickness.
 double mesh_of(const SphereShot& shot, const LayerMaterial& material, double elements);
 
 // What `scene` becomes for the shot: particle and target; its mesh and its solver stay. A sphere is rigid, as in every published run; K/mu
-// keeps the Mach number below 0.3. Names of covers are "cover", with their places where there are several.
+// keeps the Mach number below 0.3. A body brings its geometry, its solver and the rest of its mesh. Names of covers are "cover", with their places where there are several.
 Scene scene_of_shot(Scene scene, const SphereShot& shot, const CoveredMaterial& material);
 
 // The emulator's inputs for a shot: those of its problem (inputs_of), but for the problem's rounding, over which nothing could be

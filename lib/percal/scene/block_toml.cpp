@@ -12,7 +12,7 @@
 namespace percal {
 namespace {
 
-constexpr double usual_elements = 6;    // on the smaller of half width and half thickness
+constexpr double usual_elements = usual_elements_on_smaller_half;
 constexpr double beside_a_body = 0.15;  // radii of cubes beside the sides and beyond the ends of what is no sphere
 constexpr double steepest_angle = std::numbers::pi * 80 / 180;
 const Range growths{.low = 1, .high = 2, .words = "a number from 1 to 2"};

@@ -8,6 +8,7 @@ namespace percal {
 // Where a scene says nothing of its mesh: in a block six cells on the smaller of half width and half thickness of its particle, cubes in
 // a box around its path.     docs/theory/solid.md (1)
 MeshScene usual_mesh(const Scene& scene);
+inline constexpr double usual_elements_on_smaller_half = 6;
 
 // fine_thickness, fine_depth, growth and whole_across of a block; refused in other geometries, as graded_columns is in a block.
 void read_block_mesh(const TomlTable& table, const Scene& scene, MeshScene& mesh);

@@ -231,11 +231,15 @@ void read_elasticity(const TomlTable& table, const std::string& shape, Geometry 
     table.refuse("elasticity", "\"elastic\" without a youngs_modulus", "youngs_modulus beside it, or \"rigid\"");
 }
 
+std::string shape_from(const TomlTable& table) {
+  const std::vector<std::string> shapes{"sphere", "cylinder", "profile", "rhombus", "cone", "polyhedron"};
+  return shapes[table.word("shape", shapes, 0)];
+}
+
 }  // namespace
 
-ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
-  const std::vector<std::string> shapes{"sphere", "cylinder", "profile", "rhombus", "cone", "polyhedron"};
-  const std::string shape = shapes[table.word("shape", shapes, 0)];
+ParticleScene body_from(const TomlTable& table, Geometry geometry) {
+  const std::string shape = shape_from(table);
   if (shape == "cylinder" && geometry == Geometry::block)
     table.refuse("shape", "\"cylinder\" in a block", "\"sphere\"; a cylinder on its side is a profile of many corners");
   if (shape == "polyhedron" && geometry != Geometry::block)
@@ -273,11 +277,16 @@ ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
     if (!profile) refuse_keys(table, {"vertices"}, shape, "vertices only beside shape = \"profile\"");
     read_profile(table, shape, geometry, particle);
   }
-  particle.speed = table.quantity("speed", dimension::speed, positive("speed"));
   read_angle(table, geometry, particle);
-  read_elasticity(table, shape, geometry, particle);
   if (const double coefficient = table.number("friction", not_negative(), 0.0); coefficient > 0)
     particle.friction = CoulombFriction{coefficient};
+  return particle;
+}
+
+ParticleScene particle_from(const TomlTable& table, Geometry geometry) {
+  ParticleScene particle = body_from(table, geometry);
+  particle.speed = table.quantity("speed", dimension::speed, positive("speed"));
+  read_elasticity(table, shape_from(table), geometry, particle);
   return particle;
 }
 

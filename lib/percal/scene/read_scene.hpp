@@ -22,4 +22,7 @@ double angle_from(const TomlTable& table, const std::string& key, const Range& r
 // Throws BadInput.
 ParticleScene particle_from(const TomlTable& table, Geometry geometry);
 
+// The same without its speed and what bends it: shape, size, density, and in a block the direction of its flight. Throws BadInput.
+ParticleScene body_from(const TomlTable& table, Geometry geometry);
+
 }  // namespace percal

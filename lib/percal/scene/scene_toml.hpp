@@ -16,6 +16,8 @@ Scene scene_from(const TomlTable& table);
 
 // Parts of a scene, for jobs that hold no whole one: `nu` or `bulk_to_shear` of a table; the keys of a [solver] table.
 VolumetricChoice volumetric_from(const TomlTable& table);
+// What a scene of that geometry has where it says nothing.
+SolverScene usual_solver(Geometry geometry);
 SolverScene solver_from(const TomlTable& table, Geometry geometry = Geometry::axisymmetric);
 
 // What an `elements_per_radius` may be, wherever one is written.

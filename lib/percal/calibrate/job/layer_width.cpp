@@ -56,6 +56,7 @@ double softest(const CalibrationJob& job, const CalibrationMaterial& material, c
 double width_needed(const CalibrationJob& job) {
   double widest = 0;
   for (const MeasuredShot& shot : job.shots) {
+    if (shot.body) continue;
     for (std::size_t m = 0; m < job.materials.size(); ++m) {
       if (!meets(job, shot, static_cast<int>(m))) continue;
       const CalibrationMaterial& material = job.materials[m];
@@ -67,12 +68,16 @@ double width_needed(const CalibrationJob& job) {
 }
 
 void settle_width(CalibrationJob& job) {
-  double radii = 0;
-  for (const MeasuredShot& shot : job.shots) radii = std::max(radii, shot.layer_width / shot.radius);
-  job.width_was_chosen = radii == 0;
-  if (job.width_was_chosen) radii = farthest_wall;
-  for (MeasuredShot& shot : job.shots)
-    if (shot.layer_width == 0) shot.layer_width = radii * shot.radius;
+  for (const int body : bodies_of(job)) {
+    double radii = 0;
+    for (const MeasuredShot& shot : job.shots)
+      if (place_of_body(shot) == body) radii = std::max(radii, shot.layer_width / shot.radius);
+    const bool chosen = radii == 0;
+    if (body == 0) job.width_was_chosen = chosen;
+    for (MeasuredShot& shot : job.shots)
+      if (place_of_body(shot) == body && shot.layer_width == 0)
+        shot.layer_width = (chosen ? farthest_wall : radii) * shot.radius;
+  }
 }
 
 }  // namespace percal

@@ -24,7 +24,7 @@ const Range confidence{.low = 0.5, .high = 0.9999, .words = "a confidence from 0
 SolverScene read_solver(const TomlTable& root) {
   const auto block = root.optional_table("solver");
   if (!block) return {};
-  const SolverScene solver = solver_from(*block);
+  const SolverScene solver = solver_from(*block);  // of spheres; bodies of other shapes have a block's own
   if (solver.end_time)
     block->refuse("end_time", "a time for all spheres, small and large",
                   "no end_time in a job: runs end when the sphere stops");
@@ -273,6 +273,9 @@ void read_training(const TomlTable& root, CalibrationJob& job) {
   t.initial = block->integer("initial", fewest_training_runs, most_runs, t.initial);
   t.batch = block->integer("batch", 1, most_runs, t.batch);
   t.most = block->integer("most", t.initial, most_runs, std::max(t.most, t.initial));
+  t.body.initial = block->integer("body_initial", smallest_training, most_runs, t.body.initial);
+  t.body.batch = block->integer("body_batch", 1, most_runs, t.body.batch);
+  t.body.most = block->integer("body_most", t.body.initial, most_runs, std::max(t.body.most, t.body.initial));
   t.fine_share = share_from(*block, "fine_share", share, t.fine_share);
   t.accuracy = share_from(*block, "accuracy", some_share, t.accuracy);
   t.failures_tolerated = share_from(*block, "failures_tolerated", share, t.failures_tolerated);
@@ -313,6 +316,7 @@ CalibrationJob read_calibration_job(const std::string& path) {
   read_published(root, job);
   root.finish();
   check_use(root, job);
+  settle_bodies(root, job);
   settle_width(job);
   return job;
 }

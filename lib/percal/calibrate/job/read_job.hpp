@@ -1,6 +1,7 @@
 // The readers of a calibration job: each takes the root table and adds to the job what it has read. They throw BadInput. The order
 // in read_calibration_job is the order in which they need each other.
 #pragma once
+#include <memory>
 #include <string>
 
 #include "percal/calibrate/job.hpp"
@@ -26,8 +27,16 @@ int target_index(const TomlTable& block, const CalibrationJob& job);
 // read_shots.cpp
 void read_shots(const TomlTable& root, CalibrationJob& job);
 
+// read_bodies.cpp
+// What the block's shots were where they were no spheres; none of spheres. One that an earlier block has, too, is the same.
+std::shared_ptr<const ShotBody> body_of_block(const TomlTable& block, CalibrationJob& job);
+// Of a shot with a body: what only spheres have is refused.
+void check_body(const TomlTable& block, const CalibrationJob& job, const MeasuredShot& shot);
+// How deep the cubes of each body's blocks go, when all shots are known; bodies are refused beside shots that tell of passing.
+void settle_bodies(const TomlTable& root, CalibrationJob& job);
+
 // layer_width.cpp
-// One width in radii for all shots: what some of them give, or what the widest of them needs.
+// One width in radii for all spheres, and for all shots of each other body: what some of them give, or what the widest of them needs.
 void settle_width(CalibrationJob& job);
 
 // read_hypotheses.cpp

@@ -193,13 +193,15 @@ void read_seen(const TomlTable& block, const CsvTable& table, std::vector<Measur
   }
 }
 
-std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
+Sphere measures_of(const ShotBody& body) { return {body.scene.particle.radius, body.scene.particle.density}; }
+
+std::vector<MeasuredShot> shots_of_table(const TomlTable& block, const std::shared_ptr<const ShotBody>& body) {
   const CsvTable table = table_of(block);
-  const auto spheres = spheres_of_rows(block, table);
+  const auto spheres = body ? std::vector(table.rows.size(), measures_of(*body)) : spheres_of_rows(block, table);
   const auto speeds = values_of_rows(block, "speed", table, dimension::speed, speed);
   if (block.has("particle") && block.has("particle_column"))
     block.refuse("particle_column", "this beside particle", "one of the two");
-  std::vector<std::string> particles(table.rows.size(), block.text("particle", "sphere"));
+  std::vector<std::string> particles(table.rows.size(), body ? "" : block.text("particle", "sphere"));
   if (block.has("particle_column"))
     for (std::size_t i = 0; i < particles.size(); ++i)
       particles[i] = table.cell(table.rows[i], column_index(block, "particle_column", table));
@@ -210,7 +212,8 @@ std::vector<MeasuredShot> shots_of_table(const TomlTable& block) {
     shot.density = spheres[i].density;
     shot.speed = speeds[i];
     shot.file = table.file;
-    shot.label = particles[i] + " " + words_of(shot);
+    shot.body = body;
+    shot.label = (body ? "" : particles[i] + " ") + words_of(shot);
     const auto cells = table.cells(table.rows[i]);
     for (std::size_t c = 0; c < table.columns.size(); ++c) shot.row[table.columns[c].header] = cells[c];
   }
@@ -229,9 +232,10 @@ std::string key_of_what_was_seen(const TomlTable& point) {
   return point.has("trajectory") ? "trajectory" : "depth";
 }
 
-MeasuredShot shot_of_point(const TomlTable& point) {
+MeasuredShot shot_of_point(const TomlTable& point, const std::shared_ptr<const ShotBody>& body) {
   MeasuredShot shot;
-  const Sphere sphere = sphere_from(point, "particle_");
+  shot.body = body;
+  const Sphere sphere = body ? measures_of(*body) : sphere_from(point, "particle_");
   shot.radius = sphere.radius;
   shot.density = sphere.density;
   shot.speed = point.quantity("speed", dimension::speed, speed);
@@ -258,19 +262,20 @@ MeasuredShot shot_of_point(const TomlTable& point) {
       point.refuse(key, "this without a depth of its own", "a depth, and one bound at most");
     shot.datum = datum;
   }
-  shot.label = point.text("label", "sphere " + words_of(shot));
+  shot.label = point.text("label", (body ? "" : "sphere ") + words_of(shot));
   shot.row["label"] = shot.label;
   return shot;
 }
 
-std::vector<MeasuredShot> shots_of_points(const TomlTable& block) {
+std::vector<MeasuredShot> shots_of_points(const TomlTable& block, const std::shared_ptr<const ShotBody>& body) {
   std::vector<MeasuredShot> shots;
-  for (const TomlTable& point : block.tables("points")) shots.push_back(shot_of_point(point));
+  for (const TomlTable& point : block.tables("points")) shots.push_back(shot_of_point(point, body));
   return shots;
 }
 
 // In radii of each sphere, or one length for all.
-std::optional<double> layer_size(const TomlTable& block, const std::string& key, double radius) {
+std::optional<double> layer_size(const TomlTable& block, const std::string& key, const SphereShot& shot) {
+  const double radius = shot.radius;
   const std::string in_radii = key + "_radii";
   const Range above_one{.low = 1, .high = 1e6, .low_open = true, .words = "more than one radius"};
   if (block.has(key) && block.has(in_radii)) block.refuse(in_radii, "this beside " + key, "one of the two");
@@ -278,7 +283,8 @@ std::optional<double> layer_size(const TomlTable& block, const std::string& key,
   const auto size = block.optional_quantity(key, dimension::length, length);
   if (size && *size <= radius)
     block.refuse(key, format_quantity(*size, dimension::length),
-                 "more than the sphere's radius, " + format_quantity(radius, dimension::length));
+                 (shot.body ? "more than half the width of the body, " : "more than the sphere's radius, ") +
+                     format_quantity(radius, dimension::length));
   return size;
 }
 
@@ -295,13 +301,13 @@ void settle_passage(const TomlTable& block, MeasuredShot& shot) {
 }
 
 void read_layer(const TomlTable& block, MeasuredShot& shot) {
-  const auto depth = layer_size(block, "layer_depth", shot.radius);
+  const auto depth = layer_size(block, "layer_depth", shot);
   if (!depth) {
     block.knows("layer_depth_radii");
     block.refuse("layer_depth", "no such key", "the layer's size, or layer_depth_radii in radii of the sphere");
   }
   shot.layer_depth = *depth;
-  shot.layer_width = layer_size(block, "layer_width", shot.radius).value_or(0);  // settle_width
+  shot.layer_width = layer_size(block, "layer_width", shot).value_or(0);  // settle_width
   settle_passage(block, shot);
   if (shot.datum != ShotDatum::speed_left && shot.depth > shot.layer_depth)
     block.refuse(block.has("layer_depth_radii") ? "layer_depth_radii" : "layer_depth",
@@ -323,7 +329,9 @@ void check_covers(const TomlTable& block, const CalibrationTarget& target, const
 
 // The emulator has the layer's depth among its inputs, not its width.
 void check_width(const TomlTable& block, const CalibrationJob& job, const MeasuredShot& shot) {
-  const auto first = std::ranges::find_if(job.shots, [](const MeasuredShot& other) { return other.layer_width > 0; });
+  const auto first = std::ranges::find_if(job.shots, [&](const MeasuredShot& other) {
+    return other.layer_width > 0 && place_of_body(other) == place_of_body(shot);
+  });
   if (shot.layer_width == 0 || first == job.shots.end()) return;
   const double width = shot.layer_width / shot.radius, expected = first->layer_width / first->radius;
   constexpr double rounding = 1e-9;
@@ -347,18 +355,19 @@ int set_index(const TomlTable& block, CalibrationJob& job) {
   return static_cast<int>(job.sets.size()) - 1;
 }
 
-std::vector<MeasuredShot> shots_from(const TomlTable& block) {
+std::vector<MeasuredShot> shots_from(const TomlTable& block, CalibrationJob& job) {
   if (block.has("file") && block.has("points")) block.refuse("points", "this beside file", "one of the two");
   if (!block.has("file") && !block.has("points"))
     block.refuse("file", "neither file nor points", "file = \"TABLE.csv\", or [[shots.points]]");
-  return block.has("file") ? shots_of_table(block) : shots_of_points(block);
+  const auto body = body_of_block(block, job);
+  return block.has("file") ? shots_of_table(block, body) : shots_of_points(block, body);
 }
 
 }  // namespace
 
 void read_shots(const TomlTable& root, CalibrationJob& job) {
   for (const TomlTable& block : root.tables("shots")) {
-    auto shots = shots_from(block);
+    auto shots = shots_from(block, job);
     const bool of_channels =
         std::ranges::all_of(shots, [](const MeasuredShot& shot) { return shot.number == RunNumber::channel_radius; });
     const int target = target_index(block, job), set = set_index(block, job),
@@ -371,6 +380,7 @@ void read_shots(const TomlTable& root, CalibrationJob& job) {
       shot.group = group;
       shot.speed_error = speed_error;
       if (several && block.has("file")) shot.label += " into " + job.targets[target].name;
+      if (shot.body) check_body(block, job, shot);
       read_layer(block, shot);
       check_covers(block, job.targets[target], shot);
       check_width(block, job, shot);

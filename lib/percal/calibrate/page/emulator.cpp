@@ -28,10 +28,18 @@ Json emulator_to_json(const EmulatorReport& emulator) {
             {"stopped", emulator.stopped},
             {"rounds", rounds}};
   for (const BesideReport& beside : emulator.beside)
-    json["beside"][kind_of(beside.number).key] = {
-        {"learns", kind_of(beside.number).learnt}, {"runs", beside.runs},
-        {"runs_without", beside.without},          {"mean", finite(beside.mean)},
-        {"noise", finite(beside.noise)},           {"leave_one_out_error", finite(beside.leave_one_out)}};
+    if (beside.of.body == 0)
+      json["beside"][kind_of(beside.of.number).key] = {{"learns", kind_of(beside.of.number).learnt},
+                                                       {"runs", beside.runs},
+                                                       {"runs_without", beside.without},
+                                                       {"mean", finite(beside.mean)},
+                                                       {"noise", finite(beside.noise)},
+                                                       {"leave_one_out_error", finite(beside.leave_one_out)}};
+    else
+      json["bodies"].push_back({{"name", beside.body},
+                                {"runs", beside.runs},
+                                {"noise", finite(beside.noise)},
+                                {"leave_one_out_error", finite(beside.leave_one_out)}});
   return json;
 }
 
@@ -59,6 +67,8 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
   Series runs = series("fresh runs", Mark::points, 0);
   int within = 0;
   std::string mesh = absent;
+  double fewest = HUGE_VAL,
+         most = 0;  // elements per radius: bodies of other shapes than spheres have numbers of their own
   double low = HUGE_VAL, high = 0;
   const Json& shots = list(at(result, "data"), "shots");
   for (const Json& run : list(hypothesis, "fresh_runs")) {
@@ -71,8 +81,11 @@ Figure fresh_figure(const Json& result, const Json& hypothesis, int number_of_hy
     high = std::max(high, depth);
     within += std::abs(*z) <= 2;
     const auto in_length = number(maybe(run, "elements_in_erosion_length"));
-    mesh = in_length ? shown(in_length) + " elements in the erosion length"
-                     : shown(number(run, "elements_per_radius")) + " elements per radius";
+    fewest = std::min(fewest, number_or(run, "elements_per_radius", nowhere));
+    most = std::max(most, number_or(run, "elements_per_radius", nowhere));
+    mesh = in_length       ? shown(in_length) + " elements in the erosion length"
+           : fewest < most ? shown(fewest) + " to " + shown(most) + " elements per radius"
+                           : shown(number(run, "elements_per_radius")) + " elements per radius";
   }
   Chart chart{.title = "Fresh runs at the best point against the emulator",
               .x = {.label = "depth, radii", .logarithmic = worth_a_logarithm(low, high)},
@@ -140,6 +153,19 @@ Table emulator_table(const Json& one) {
   return table;
 }
 
+// Nothing of a job with spheres alone.
+Table bodies_table(const Json& one) {
+  Table table{.caption = "Emulators of other bodies",
+              .rows = {{"body", "runs", "leave-one-out error", "solver's noise"}},
+              .notes = {}};
+  const Json& bodies = maybe(one, "bodies");
+  if (!bodies.is_array()) return {};
+  for (const Json& body : bodies)
+    table.rows.push_back({text(body, "name"), shown(number(body, "runs")), percent(number(body, "leave_one_out_error")),
+                          percent(number(body, "noise"))});
+  return table;
+}
+
 Figure error_figure(const Json& emulator) {
   Chart chart{.title = "The emulator's error at the optimum against processor time",
               .x = {.label = "processor time of the runs, s", .logarithmic = true},
@@ -191,6 +217,7 @@ Section emulator_section(const Json& result) {
   if (list(at(result, "data"), "shots").empty()) return section;  // nothing was run
   add(section, error_figure(emulator));
   add(section, emulator_table(emulator));
+  add(section, bodies_table(emulator));
   add(section, round_table(emulator));
   return section;
 }

@@ -42,6 +42,7 @@ Json measured_shots_to_json(const CalibrationJob& job) {
                    {"layer_width_m", shot.layer_width},
                    {"depth_error_m", shot.depth_error},
                    {"used", shot.used}});
+    if (shot.body) all.back()["body"] = shot.body->name();
     all.back().update(measured_to_json(shot));
   }
   return all;

@@ -18,6 +18,7 @@ namespace {
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 std::string sphere_words(const Json& shot) {
+  if (const Json& body = maybe(shot, "body"); body.is_string()) return text(shot, "body");
   const auto radius = number(shot, "radius_m");
   return fmt::format("a sphere of {} and {}", length(radius ? std::optional(2 * *radius) : radius),
                      quantity(number(shot, "density_kg_m3"), dimension::density));

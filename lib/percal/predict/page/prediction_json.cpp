@@ -19,7 +19,8 @@ Json shot_to_json(const SphereShot& shot) {
   return {{"radius_m", shot.radius},
           {"density_kg_m3", shot.density},
           {"speed_m_s", shot.speed},
-          {"layer_depth_m", shot.layer_depth}};
+          {"layer_depth_m", shot.layer_depth},
+          {"body", shot.body ? Json(shot.body->name()) : Json()}};
 }
 
 // Of a model that knows what passes: what the reach means behind the layer.
