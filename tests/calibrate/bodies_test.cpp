@@ -134,8 +134,10 @@ TEST_F(BodiesJob, AreRefusedWhereTheirRunsLackWhatIsAsked) {
   const std::string job = text_of_job();
   EXPECT_THAT(refusal(with(job, "layer_depth", "radius = \"3 mm\"\nlayer_depth")),
               AllOf(HasSubstr("job.toml:"), HasSubstr("radius"), HasSubstr("beside [shots.body]")));
-  EXPECT_THAT(refusal(text_of_job("radius = \"2 mm\"\ndensity = \"7800 kg/m3\"\n")),
+  const std::string sphere = "radius = \"2 mm\"\ndensity = \"7800 kg/m3\"\n";
+  EXPECT_THAT(refusal(text_of_job("shape = \"sphere\"\n" + sphere)),
               AllOf(HasSubstr("shape"), HasSubstr("a prism or a polyhedron")));
+  EXPECT_THAT(refusal(text_of_job(sphere)), AllOf(HasSubstr("shape"), HasSubstr("no such key")));
   EXPECT_THAT(refusal(text_of_job(with(rhombus, "thickness = \"3.10 mm\"", ""))), HasSubstr("thickness"));
   EXPECT_THAT(
       refusal(with(job, "erosion_strain = \"strain\"", "erosion_strain = \"strain\"\nerosion_length = \"1 mm\"")),

@@ -36,6 +36,7 @@ void refuse_what_bodies_lack(const TomlTable& block, const CalibrationJob& job, 
 Scene scene_of_body(const TomlTable& table) {
   Scene scene;
   scene.geometry = Geometry::block;
+  if (!table.has("shape")) table.refuse("shape", "no such key", "\"rhombus\", \"profile\" or \"polyhedron\"");
   scene.particle = body_from(table, scene.geometry);
   if (std::holds_alternative<RoundShape>(scene.particle.shape))
     table.refuse("shape", "\"sphere\"",
