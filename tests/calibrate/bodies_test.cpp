@@ -3,9 +3,9 @@
 
 #include "calibrate/gel_job.hpp"
 #include "calibrate/law_checks.hpp"
+#include "calibrate/shots_of_the_solver.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/calibration.hpp"
-#include "percal/calibrate/kept_model.hpp"
 #include "percal/campaign/sphere_runs.hpp"
 #include "percal/predict/prediction.hpp"
 #include "percal/scene/scene_toml.hpp"
@@ -215,13 +215,7 @@ TEST(Bodies, AreKeptWrittenReadAndPredicted) {
   const CalibrationJob job = balls_and_prisms(gel_under_both);
   const JobModel model = finite_element_model(job, job.hypotheses[0], emulators, element_of_both);
   const JobFit fit = fit_job(job, model, used_shots(job), quick_search());
-  CalibrationResult result;
-  result.hypotheses.resize(1);
-  result.hypotheses[0].for_shots = for_shots(job, 0, model, fit);
-  const auto kept = kept_model(job, emulators, result);
-  page::Json json{{"command", "calibrate"}, {"shot_model", shot_model_to_json(*kept)}};
-  const ShotModel read = shot_model_of(page::Json::parse(json.dump()), "result.json");
-  EXPECT_EQ(shot_model_to_json(read), shot_model_to_json(*kept));
+  auto [json, read] = test::kept_and_read(job, emulators, model, fit);
 
   EXPECT_THROW(understood({.speed = "60 m/s"}, read), BadInput) << "of both";
   PredictWords words{.body = "steel rhombus", .speed = "60 m/s"};

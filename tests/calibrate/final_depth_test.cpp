@@ -6,7 +6,6 @@
 #include "calibrate/shots_of_the_solver.hpp"
 #include "percal/base/error.hpp"
 #include "percal/calibrate/calibration.hpp"
-#include "percal/calibrate/kept_model.hpp"
 #include "percal/calibrate/page/page.hpp"
 #include "percal/math/statistics.hpp"
 #include "percal/predict/predictor.hpp"
@@ -82,10 +81,7 @@ Emulators emulators_of_final_depths() {
 
 // Steel and titanium balls of which every other one was dug out, the others were seen at their deepest.
 CalibrationJob dug_out(const std::vector<double>& natural, int shots, unsigned seed) {
-  CalibrationJob job = test::gel_job(shots);
-  for (int k = 0; k < shots; ++k) job.shots[k].speed = 45 + 88.0 * k / (shots - 1);
-  job.groups.push_back({"final depths", true, 0});
-  job.training.verify = 1 / element;
+  CalibrationJob job = test::gel_job_at_speeds(shots, "final depths", element);
   Draws draws(seed);
   for (int k = 0; k < shots; ++k) {
     MeasuredShot& shot = job.shots[k];
@@ -149,13 +145,7 @@ TEST(FinalDepth, IsKeptWrittenReadAndPredicted) {
   const CalibrationJob job = dug_out(true_gel, 12, 3);
   const JobModel model = finite_element_model(job, job.hypotheses[0], emulators, element);
   const JobFit fit = fit_job(job, model, used_shots(job), quick_search());
-  CalibrationResult result;
-  result.hypotheses.resize(1);
-  result.hypotheses[0].for_shots = for_shots(job, 0, model, fit);
-  const auto kept = kept_model(job, emulators, result);
-  page::Json json{{"command", "calibrate"}, {"shot_model", shot_model_to_json(*kept)}};
-  const ShotModel read = shot_model_of(page::Json::parse(json.dump()), "result.json");
-  EXPECT_EQ(shot_model_to_json(read), shot_model_to_json(*kept));
+  auto [json, read] = test::kept_and_read(job, emulators, model, fit);
   const SphereShot shot = job.shots[0];
   const DepthPrediction predicted = Predictor(read, 0, 0, 0.95).depths(std::span(&shot, 1)).front();
   const NumberPrediction& final = predicted.beside.at(RunNumber::final_depth);
@@ -192,11 +182,7 @@ TEST_P(FinalDepthCoverage, IntervalsHoldTheTruth) {
     }
     return job;
   });
-  RecordProperty("held", held.moduli);
-  RecordProperty("within", held.shots);
-  EXPECT_GE(held.moduli, 89);
-  EXPECT_LE(held.moduli, 99);
-  EXPECT_GE(held.shots, 0.89 * held.of_shots);
+  test::expect_about_95_of_100(held);
 }
 
 INSTANTIATE_TEST_SUITE_P(Slow, FinalDepthCoverage, testing::Values(DugOut{12, true}, DugOut{24, false}),

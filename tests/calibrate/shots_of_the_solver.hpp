@@ -1,10 +1,13 @@
-// Shots of a job that the solver makes on a coarse mesh, and how often a fit's intervals hold the truth of jobs that are made up.
+// Jobs that are made up: shots that the solver makes on a coarse mesh, what a result keeps of a fit, and how often a fit's intervals hold the truth.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "calibrate/gel_job.hpp"
+#include "percal/calibrate/kept_model.hpp"
 #include "percal/campaign/campaign.hpp"
 #include "percal/estimate/intervals.hpp"
 #include "support/temporary_folder.hpp"
@@ -61,9 +64,44 @@ inline bool holds(const ShotDepth& interval, const MeasuredShot& shot) {
   return interval.low <= shot.depth && shot.depth <= interval.high;
 }
 
+// Shots of 45 to 133 m/s, with a second group of scatter.
+inline CalibrationJob gel_job_at_speeds(int shots, const std::string& second_group, double element) {
+  CalibrationJob job = gel_job(shots);
+  for (int k = 0; k < shots; ++k) job.shots[k].speed = 45 + 88.0 * k / (shots - 1);
+  job.groups.push_back({second_group, true, 0});
+  job.training.verify = 1 / element;
+  return job;
+}
+
+// What a result keeps of the fit, written and read again.
+struct KeptAndRead {
+  page::Json json;
+  ShotModel read;
+};
+inline KeptAndRead kept_and_read(const CalibrationJob& job, const Emulators& emulators, const JobModel& model,
+                               const JobFit& fit) {
+  CalibrationResult result;
+  result.hypotheses.resize(1);
+  result.hypotheses[0].for_shots = for_shots(job, 0, model, fit);
+  const auto kept = kept_model(job, emulators, result);
+  const page::Json json{{"command", "calibrate"}, {"shot_model", shot_model_to_json(*kept)}};
+  const ShotModel read = shot_model_of(page::Json::parse(json.dump()), "result.json");
+  EXPECT_EQ(shot_model_to_json(read), shot_model_to_json(*kept));
+  return {json, read};
+}
+
 struct HeldTruths {
   int moduli = 0, shots = 0, of_shots = 0;
 };
+
+// Of 95 % intervals, 100 of moduli.
+inline void expect_about_95_of_100(const HeldTruths& held) {
+  testing::Test::RecordProperty("held", held.moduli);
+  testing::Test::RecordProperty("within", held.shots);
+  EXPECT_GE(held.moduli, 89);
+  EXPECT_LE(held.moduli, 99);
+  EXPECT_GE(held.shots, 0.89 * held.of_shots);
+}
 
 // Of 100 moduli about the true gel's: those in their interval, and of `predicted` shots, which no fit sees, those in theirs. A job is made
 // from the truth and a seed.

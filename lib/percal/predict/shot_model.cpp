@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "percal/base/error.hpp"
-#include "percal/invert/depth_covariance.hpp"
+#include "percal/predict/emulator_json.hpp"
 #include "percal/scene/scene_toml.hpp"
 
 namespace percal {
@@ -15,115 +14,6 @@ namespace {
 using page::at;
 using page::Json;
 using page::list;
-
-constexpr const char* input_names[] = {"ln_pi4",
-                                       "ln_pi5",
-                                       "alpha",
-                                       "erosion_strain",
-                                       "ln_depth_over_radius",
-                                       "ln_bulk_ratio",
-                                       "ln_erosion_length_over_radius",
-                                       "cover_ln_1_plus_thickness_over_radius",
-                                       "cover_ln_density_ratio",
-                                       "cover_ln_mu_ratio",
-                                       "cover_alpha",
-                                       "cover_erosion_strain",
-                                       "second_cover_ln_1_plus_thickness_over_radius",
-                                       "second_cover_ln_density_ratio",
-                                       "second_cover_ln_mu_ratio",
-                                       "second_cover_alpha",
-                                       "second_cover_erosion_strain"};
-static_assert(std::size(input_names) == sphere_inputs);
-
-double wanted(const Json& object, const std::string& key) {
-  const auto value = page::number(object, key);
-  if (!value) throw page::MissingKey(key);
-  return *value;
-}
-
-// Not below zero, and an int holds it.
-int whole(const Json& object, const std::string& key) {
-  const double value = wanted(object, key);
-  if (!(value >= 0 && value <= std::numeric_limits<int>::max())) throw page::MissingKey(key);
-  return static_cast<int>(value);
-}
-
-// Of the inputs that are not left out.
-Json lengths_to_json(const std::array<double, sphere_inputs>& length) {
-  Json all = Json::object();
-  for (int i = 0; i < sphere_inputs; ++i)
-    if (length[i] > 0) all[input_names[i]] = page::finite(length[i]);
-  return all;
-}
-
-std::array<double, sphere_inputs> lengths_of(const Json& json) {
-  for (const auto& [name, value] : json.items())
-    if (std::ranges::find(input_names, name) == std::end(input_names)) throw page::MissingKey("length");
-  std::array<double, sphere_inputs> length{};
-  for (int i = 0; i < sphere_inputs; ++i) length[i] = page::number(page::maybe(json, input_names[i])).value_or(0);
-  return length;
-}
-
-Json settings_to_json(const EmulatorSettings& settings) {
-  return {{"amplitude", page::finite(settings.amplitude)},
-          {"length", lengths_to_json(settings.length)},
-          {"mesh_amplitude", page::finite(settings.mesh_amplitude)},
-          {"mesh_length", lengths_to_json(settings.mesh_length)},
-          {"mesh_order", page::finite(settings.mesh_order)},
-          {"noise", page::finite(settings.noise)},
-          {"noise_order", page::finite(settings.noise_order)},
-          {"log_likelihood", page::finite(settings.log_likelihood)},
-          {"likelihood_evaluations", settings.evaluations}};
-}
-
-EmulatorSettings settings_of(const Json& json) {
-  return {.amplitude = wanted(json, "amplitude"),
-          .length = lengths_of(at(json, "length")),
-          .mesh_amplitude = wanted(json, "mesh_amplitude"),
-          .mesh_length = lengths_of(at(json, "mesh_length")),
-          .mesh_order = wanted(json, "mesh_order"),
-          .noise = wanted(json, "noise"),
-          .noise_order = wanted(json, "noise_order"),
-          .log_likelihood = wanted(json, "log_likelihood"),
-          .evaluations = whole(json, "likelihood_evaluations")};
-}
-
-// Every input that an emulator of these runs sees has a length.
-void require_lengths(const EmulatorSettings& settings, const std::vector<TrainingRun>& runs) {
-  if (runs.empty()) return;
-  for (const int input : scale_of(runs).seen)
-    if (!(settings.length[input] > 0) || (settings.mesh_amplitude > 0 && !(settings.mesh_length[input] > 0)))
-      throw page::MissingKey("length");
-}
-
-// The inputs of a run under so many covers.
-int inputs_under(std::size_t covers) {
-  return inputs_without_covers + static_cast<int>(covers) * (sphere_inputs - inputs_without_covers) / most_covers;
-}
-
-// The inputs in the order of SphereInputs, the element's size and ln(depth/radius).
-Json run_to_json(const TrainingRun& run, int inputs) {
-  Json row = Json::array();
-  for (int k = 0; k < inputs; ++k) row.push_back(run.at.*sphere_input_order[k]);
-  row.push_back(run.h);
-  row.push_back(run.log_depth);
-  return row;
-}
-
-// The numbers of a row of the wanted length.
-std::vector<double> row_of(const Json& json, std::size_t length, const char* key) {
-  std::vector<double> row = page::numbers(json);
-  if (row.size() != length || std::any_of(row.begin(), row.end(), [](double x) { return !std::isfinite(x); }))
-    throw page::MissingKey(key);
-  return row;
-}
-
-TrainingRun run_of(const Json& json, int inputs) {
-  const auto row = row_of(json, static_cast<std::size_t>(inputs) + 2, "runs");
-  TrainingRun run{.at = {}, .h = row[inputs], .log_depth = row[inputs + 1]};
-  for (int k = 0; k < inputs; ++k) run.at.*sphere_input_order[k] = row[k];
-  return run;
-}
 
 constexpr std::size_t numbers_of_point = 7;  // the fourth, a length, may be null; two more a term of relaxation
 
@@ -301,9 +191,52 @@ FiredShot shot_of(const Json& json, std::size_t materials, const std::vector<Kep
 // The most covers of anything that can be shot into.
 std::size_t covers_of(const ShotModel& model) {
   std::size_t most = 0;
+  if (model.hypotheses.empty()) return most;
   for (const MaterialSample& material : model.hypotheses.front().materials)
     most = std::max(most, material.points.front().covers.size());
   return most;
+}
+
+// A key of results that know no such number is missing there.
+void take_beside(const Json& json, ShotModel& model) {
+  for (const RunNumber number : numbers_beside) {
+    const Json& learnt = page::maybe(page::maybe(json, "beside"), kind_of(number).key);
+    if (learnt.is_null()) continue;
+    LearntNumber& known =
+        model.beside[number] = {runs_of(learnt, covers_of(model)), settings_of(at(learnt, "settings"))};
+    require_lengths(known.settings, known.runs);
+    for (const ShotHypothesis& hypothesis : model.hypotheses)
+      for (const MaterialSample& material : hypothesis.materials)
+        if (!material.beside.contains(number)) throw page::MissingKey("beside");
+  }
+}
+
+// The part of a scene that is of its particle.
+std::shared_ptr<const ShotBody> body_of(const std::string& scene, int place) {
+  auto body = std::make_shared<ShotBody>();
+  body->place = place;
+  body->scene = parse_scene(scene, "scene of the calibration's runs");
+  return body;
+}
+
+void take_bodies(const Json& json, ShotModel& model) {
+  if (page::maybe(json, "bodies").is_null()) return;
+  for (const Json& kept : list(json, "bodies")) {
+    const std::string scene = page::text(kept, "scene_of_runs");
+    const LearntNumber depth{runs_of(kept, covers_of(model)), settings_of(at(kept, "settings"))};
+    require_lengths(depth.settings, depth.runs);
+    model.bodies.push_back({body_of(scene, static_cast<int>(model.bodies.size()) + 1), depth, scene});
+  }
+}
+
+Json bodies_to_json(const ShotModel& model) {
+  Json bodies = Json::array();
+  for (const KeptBody& kept : model.bodies)
+    bodies.push_back({{"name", kept.body->name()},
+                      {"scene_of_runs", kept.scene},
+                      {"runs", runs_to_json(kept.depth.runs, covers_of(model))},
+                      {"settings", settings_to_json(kept.depth.settings)}});
+  return bodies;
 }
 
 }  // namespace
@@ -326,63 +259,6 @@ std::optional<double> number_in_common(const std::vector<FiredShot>& shots, int 
       return is_one(*range) ? std::optional(range->low) : std::nullopt;
   return std::nullopt;
 }
-
-namespace {
-
-Json runs_to_json(const std::vector<TrainingRun>& runs, const ShotModel& model) {
-  Json rows = Json::array();
-  for (const TrainingRun& run : runs) rows.push_back(run_to_json(run, inputs_under(covers_of(model))));
-  return rows;
-}
-
-std::vector<TrainingRun> runs_of(const Json& json, const ShotModel& model) {
-  std::vector<TrainingRun> runs;
-  for (const Json& run : list(json, "runs")) runs.push_back(run_of(run, inputs_under(covers_of(model))));
-  return runs;
-}
-
-// A key of results that know no such number is missing there.
-void take_beside(const Json& json, ShotModel& model) {
-  for (const RunNumber number : numbers_beside) {
-    const Json& learnt = page::maybe(page::maybe(json, "beside"), kind_of(number).key);
-    if (learnt.is_null()) continue;
-    LearntNumber& known = model.beside[number] = {runs_of(learnt, model), settings_of(at(learnt, "settings"))};
-    require_lengths(known.settings, known.runs);
-    for (const ShotHypothesis& hypothesis : model.hypotheses)
-      for (const MaterialSample& material : hypothesis.materials)
-        if (!material.beside.contains(number)) throw page::MissingKey("beside");
-  }
-}
-
-// The part of a scene that is of its particle.
-std::shared_ptr<const ShotBody> body_of(const std::string& scene, int place) {
-  auto body = std::make_shared<ShotBody>();
-  body->place = place;
-  body->scene = parse_scene(scene, "scene of the calibration's runs");
-  return body;
-}
-
-void take_bodies(const Json& json, ShotModel& model) {
-  if (page::maybe(json, "bodies").is_null()) return;
-  for (const Json& kept : list(json, "bodies")) {
-    const std::string scene = page::text(kept, "scene_of_runs");
-    const LearntNumber depth{runs_of(kept, model), settings_of(at(kept, "settings"))};
-    require_lengths(depth.settings, depth.runs);
-    model.bodies.push_back({body_of(scene, static_cast<int>(model.bodies.size()) + 1), depth, scene});
-  }
-}
-
-Json bodies_to_json(const ShotModel& model) {
-  Json bodies = Json::array();
-  for (const KeptBody& kept : model.bodies)
-    bodies.push_back({{"name", kept.body->name()},
-                      {"scene_of_runs", kept.scene},
-                      {"runs", runs_to_json(kept.depth.runs, model)},
-                      {"settings", settings_to_json(kept.depth.settings)}});
-  return bodies;
-}
-
-}  // namespace
 
 Emulators emulators_of(const ShotModel& model) {
   Emulators emulators;
@@ -412,7 +288,7 @@ ShotModel of_spheres(ShotModel model, const std::string& file) {
 
 Json shot_model_to_json(const ShotModel& model) {
   Json shots = Json::array(), hypotheses = Json::array();
-  const Json runs = runs_to_json(model.runs, model);
+  const Json runs = runs_to_json(model.runs, covers_of(model));
   for (const FiredShot& shot : model.shots) shots.push_back(shot_to_json(shot));
   for (const ShotHypothesis& hypothesis : model.hypotheses) hypotheses.push_back(hypothesis_to_json(hypothesis));
   Json json{{"level", model.level},
@@ -426,7 +302,7 @@ Json shot_model_to_json(const ShotModel& model) {
             {"hypotheses", hypotheses}};
   if (!model.bodies.empty()) json["bodies"] = bodies_to_json(model);
   for (const auto& [number, learnt] : model.beside)
-    json["beside"][kind_of(number).key] = {{"runs", runs_to_json(learnt.runs, model)},
+    json["beside"][kind_of(number).key] = {{"runs", runs_to_json(learnt.runs, covers_of(model))},
                                            {"settings", settings_to_json(learnt.settings)}};
   return json;
 }
@@ -452,7 +328,7 @@ ShotModel shot_model_of(const Json& result, const std::string& file) {
   if (model.hypotheses.empty()) throw page::MissingKey("hypotheses");
   for (const ShotHypothesis& hypothesis : model.hypotheses)
     if (hypothesis.materials.size() != model.hypotheses.front().materials.size()) throw page::MissingKey("materials");
-  model.runs = runs_of(json, model);
+  model.runs = runs_of(json, covers_of(model));
   take_bodies(json, model);
   if (!model.runs.empty() || model.bodies.empty()) model.settings = settings_of(at(json, "settings"));
   require_lengths(model.settings, model.runs);
